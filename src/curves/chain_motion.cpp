@@ -13,7 +13,7 @@
 namespace tamis {
 namespace {
 
-/// True also of NaN.
+/// Is a rotation vector of the link longer than kLargestRoundedAngle, or not finite?
 bool turns_far(const Link& link) {
   const auto is_far = [](const Pose& pose) {
     const auto [x, y, z] = pose.rotation;
@@ -39,7 +39,7 @@ RoundedTransform rounded(const RigidTransform& exact) {
   return rounded;
 }
 
-/// Two rotations are no farther from each other, as matrices, than their rotation vectors.
+/// Rotations differ by no more, as matrices, than their rotation vectors: the error of the vector bounds the matrix'.
 RoundedTransform rounded_near(const Link& link, double time) {
   const RoundedPlace turn = rounded_linear(link.start.rotation, link.end.rotation, time);
   const RoundedPlace shift = rounded_linear(link.start.position, link.end.position, time);
@@ -53,10 +53,10 @@ RoundedTransform rounded_link(const Link& link, double time) {
   return result;
 }
 
-/// First `inner`, then `outer`; errors are norms, of matrices and of vectors, so that they add up: for rotations A', B'
-/// |A'B' - AB| <= a + b + a b and |A'p' + q' - Ap - q| <= a |p| + |p' - p| + |q' - q|. Entries of the product round by
-/// 3 u |row| |column| each, all by 9 u and a little; given 16 u. Those of the shift round by 4 u (|p|_1 + |q|), all by
-/// sqrt(3) of that; given 8 u.
+/// The transform that applies `inner`, then `outer`. Errors are norms, of matrices and of vectors, so that they add up:
+/// for rotations A', B' and their doubles A, B, off by a and b, |A'B' - AB| <= a + b + a b and |A'p' + q' - Ap - q| <=
+/// a |p| + |p' - p| + |q' - q|. Each entry of the product rounds by 3 u |row| |column|, all nine by a little over 9 u;
+/// 16 u are given. The entries of the shift round by 4 u (|p|_1 + |q|) each, all by sqrt(3) of that; 8 u are given.
 RoundedTransform after(const RoundedTransform& outer, const RoundedTransform& inner) {
   RoundedTransform both{};
   for (std::size_t i = 0; i < 3; ++i)
@@ -73,7 +73,7 @@ RoundedTransform after(const RoundedTransform& outer, const RoundedTransform& in
   return both;
 }
 
-/// Nine entries and three, each off by no more.
+/// Errors of single entries become norms: three times as large for nine entries, sqrt(3) times for three.
 RoundedTransform with_norms(RoundedTransform transform) {
   transform.turn_error *= 3;
   transform.shift_error *= kRootOfThree * kRoundedUp;
@@ -94,7 +94,7 @@ RoundedTransform transform_at(const Chain& chain, double time) {
 
 namespace {
 
-/// Is a b the same as c d, exactly? False also where two doubles cannot hold them.
+/// Is a b exactly c d? False also where two doubles cannot hold a product.
 bool are_equal_products(double a, double b, double c, double d) {
   const auto is_held = [](double x, double y) { return x == 0 || y == 0 || std::fabs(x * y) > 0x1p-900; };
   const DoubleDouble left = DoubleDouble::product_of(a, b), right = DoubleDouble::product_of(c, d);
@@ -129,12 +129,13 @@ ChainBounds::ChainBounds(const Chain& chain)
     : links_(chain.begin(), chain.end()),
       turns_(std::ranges::any_of(chain, [](const Link& link) { return link.start.rotation != link.end.rotation; })) {}
 
-/// Bounds of y and its derivatives, y being the point as one link after the other has moved it. With |R'| <= w and
-/// |R''| <= w^2 for a rotation vector that changes by w (docs/numerics.md, "Curved motion"):
+/// From the innermost link outward, bounds y and its derivatives, where a link takes x, the point that the inner links
+/// leave, to y = R x + p. With |R'| <= w and |R''| <= w^2 for a rotation vector that changes by w (docs/numerics.md,
+/// "Curved motion"):
 ///   y' = R' x + R x' + p',   y'' = R'' x + 2 R' x' + R x''.
 Curvature ChainBounds::of(double from_origin, double displacement) const {
   Interval place(from_origin), speed(displacement), acceleration(0);
-  double orbit_radius = 0;  // without the outermost position, which moves linearly: no chord deviates from it
+  double orbit_radius = 0;  // the outermost position moves linearly, so it adds no deviation
   for (auto link = links_.rbegin(); link != links_.rend(); ++link) {
     if (link + 1 == links_.rend()) orbit_radius = place.upper;
     const Interval& w = link->turn;

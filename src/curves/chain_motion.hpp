@@ -15,13 +15,13 @@ namespace tamis {
 
 inline bool is_finite(const Pose& pose) { return is_finite(pose.position) && is_finite(pose.rotation); }
 
-/// Off by `error` at most, on each axis.
+/// A point in doubles, off by at most `error` on each axis.
 struct RoundedPlace {
   Point x;
   double error;
 };
 
-/// 1 - t, both products and the sum round once each: 3 u max(|a|, |b|), given 4 u.
+/// (1 - t) a + t b. 1 - t, both products and the sum round once each: 3 u max(|a|, |b|); 4 u are given.
 inline RoundedPlace rounded_linear(const Point& a, const Point& b, double time) {
   if (a == b || time == 0) return {a, 0};
   if (time == 1) return {b, 0};
@@ -37,8 +37,8 @@ inline RoundedPlace rounded_linear(const Point& a, const Point& b, double time) 
 /// |x|_1.
 inline double sum_of_sizes(const Point& x) { return std::fabs(x[0]) + std::fabs(x[1]) + std::fabs(x[2]); }
 
-/// In doubles: entries of the matrix are off by `turn_error` at most, which is a number, those of the shift by
-/// `shift_error`, which is a length.
+/// x goes to rows x + shift, in doubles. Entries of the matrix are off by at most `turn_error`, a number; those of the
+/// shift, of which `shift_size` is the largest, by `shift_error`, a length.
 struct RoundedTransform {
   std::array<Point, 3> rows;
   Point shift;
@@ -49,9 +49,9 @@ struct RoundedTransform {
     for (std::size_t i = 0; i < 3; ++i) y[i] = rows[i][0] * x[0] + rows[i][1] * x[1] + rows[i][2] * x[2] + shift[i];
     return y;
   }
-  /// Of a point x that is off by `x_error`, with size = |x|_1. Each product rounds once and each sum once, of numbers
-  /// below 1.1 |x|_1 + |shift|: 4 u of that, given 8 u. What x is off by comes out at most sqrt(3) times as large. The
-  /// factor covers this sum's own rounding.
+  /// What of(x) is off by on each axis, for an x that is off by `x_error`, with size = |x|_1. Each product and each sum
+  /// rounds once, numbers below 1.1 |x|_1 + |shift|: 4 u of that; 8 u are given. The error of x grows at most sqrt(3)
+  /// times. kRoundedUp covers the rounding of this bound itself.
   double error_of(double size, double x_error) const {
     const double turned = (turn_error + 0x1p-50) * size, shifted = shift_error + 0x1p-50 * shift_size;
     return (turned + shifted + 2 * x_error) * kRoundedUp + 0x1p-1000;
@@ -61,16 +61,16 @@ struct RoundedTransform {
 /// Where a chain takes a body at a time in [0,1].
 RoundedTransform transform_at(const Chain& chain, double time);
 
-/// The axis about which all points turn, exactly: the rotation vectors of all links from the outermost to the last that
-/// turns are parallel. Zeros where there is none, or nothing turns.
+/// The fixed axis about which all points turn: the rotation vectors of all links from the outermost to the last that
+/// turns are exactly parallel to it. Zeros if they are not parallel, or if no link turns.
 Point fixed_axis(const Chain& chain);
 
-/// Of one point's curve, over the whole step.
+/// Bounds of how far one point's curve bends, over the whole step.
 struct Curvature {
   double acceleration;  ///< |x''| is at most this
-  double orbit_radius;  ///< x(t), less what moves linearly, stays within this of one point
+  double orbit_radius;  ///< x(t), less its part that moves linearly, stays within this distance of one point
 
-  /// An upper bound of the distance from the chord on a piece with that chord_factor.
+  /// An upper bound of the distance from the chord, on a piece whose chord_factor() is `factor`.
   double deviation(const Interval& factor) const {
     return std::min((factor * Interval(acceleration)).upper, 2 * orbit_radius);
   }
@@ -81,14 +81,14 @@ class ChainBounds {
  public:
   explicit ChainBounds(const Chain& chain);
 
-  /// Of a point no farther than `from_origin` from the origin of the body's frame, in which it moves by `displacement`.
-  /// Linear in `from_origin`, but for rounding.
+  /// Bounds for a point no farther than `from_origin` from the origin of its body's frame, in which it moves by
+  /// `displacement`. Linear in `from_origin`, but for rounding.
   Curvature of(double from_origin, double displacement) const;
   /// Does any link turn? If not, points go straight.
   bool turns() const { return turns_; }
 
  private:
-  /// Of one link: how far its rotation vector changes, how far its position does, and how far that is from zero.
+  /// Of one link: how far its rotation vector and its position change, and how far from zero the position is at most.
   struct LinkBounds {
     explicit LinkBounds(const Link& link);
     Interval turn, displacement, position;

@@ -1,4 +1,4 @@
-// From enclosures to what a path answers: a number and a bound of its error.
+// Turns intervals into answers of a path: numbers, each with a bound of its error.
 #pragma once
 #include <algorithm>
 

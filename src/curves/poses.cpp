@@ -1,4 +1,4 @@
-// Poses from what engines keep, and chains of links from poses.
+// Makes poses from the quaternions and matrices that engines keep, and chains of links from poses.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -12,7 +12,7 @@
 namespace tamis {
 namespace {
 
-/// Of a unit quaternion: w and the rest, of either sign.
+/// The rotation vector of the unit quaternion (w, v); (-w, -v) has the same.
 Point rotation_vector(double w, const Point& v) {
   const double sign = w < 0 ? -1 : 1, sine = std::hypot(v[0], v[1], v[2]);
   const double factor = sign * (sine > 0 ? 2 * std::atan2(sine, sign * w) / sine : 2);
@@ -24,7 +24,8 @@ constexpr const char* kGiveRotation = ": give a rotation, which rounding may hav
 
 using Rows = std::array<Point, 3>;
 
-/// How far an entry of R R^T is from the identity's: one that is too far, or that is no number, if there is one.
+/// The largest difference of an entry of R R^T from the identity's; or the first beyond kMostRounding, which may be
+/// NaN.
 double off_from_rotation(const Rows& rows) {
   double off = 0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -48,10 +49,10 @@ Rows nearer_rotation(const Rows& rows) {
   return next;
 }
 
-/// Rounded.
+/// Where the pose takes x, rounded.
 Point where(const Pose& pose, const Point& x) { return transform_at({{pose, pose}}, 0).of(x); }
 
-/// Of R = R1 R0^T; from the quaternion, which is well conditioned at every angle.
+/// The rotation vector of R1 R0^T, no longer than pi. Quaternions are well conditioned at every angle.
 Point shorter_turn(const Pose& start, const Pose& end) {
   const auto quaternion = [](const Point& w) {
     const double angle = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
@@ -80,8 +81,8 @@ Pose pose_of_quaternion(const std::array<double, 4>& q, const Point& position) {
   return {position, rotation_vector(q[0], {q[1], q[2], q[3]})};
 }
 
-/// The largest of the four parts of the quaternion is found from the diagonal, the others from sums beside it
-/// (Shepperd 1978).
+/// The quaternion's largest component is found from the diagonal, the others from sums and differences of the entries
+/// beside it (Shepperd 1978).
 Pose pose_of_matrix(const std::array<Point, 3>& given, const Point& position) {
   const double off = off_from_rotation(given);
   if (!(off <= kMostRounding))
@@ -128,9 +129,9 @@ Pose pose_at(const Chain& chain, double time) {
   return pose_of_matrix(there.rows, there.shift);
 }
 
-/// With H half the angle, q goes straight from (1, 0) to (cos H, sin H): its angle h has h' = sin H / |q|^2, so that
-/// |h''| <= M = 4 sin H sin^2(H/2) / cos^4(H/2). h - t H is zero at 0, 1/2 and 1, so at most M / 32; the turn is twice
-/// that. The factor is far above what rounding does.
+/// With H half the angle of the turn, the blend q goes straight from (1, 0) to (cos H, sin H). Its angle h has the rate
+/// h' = sin H / |q|^2, so that |h''| <= M = 4 sin H sin^2(H/2) / cos^4(H/2). h - t H is zero at 0, 1/2 and 1, so at
+/// most M / 32; the turn differs by twice that. The factor 1 + 2^-20 is far above all rounding.
 double nlerp_deviation(const Pose& start, const Pose& end) {
   require_finite(start, end);
   const Point turn = shorter_turn(start, end);

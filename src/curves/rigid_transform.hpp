@@ -36,7 +36,7 @@ inline RigidTransform transform_of(const Link& link, double time) {
           linear(link.start.position, link.end.position, time)};
 }
 
-/// First `inner`, then `outer`.
+/// The transform that applies `inner`, then `outer`.
 inline RigidTransform after(const RigidTransform& outer, const RigidTransform& inner) {
   RigidTransform both;
   const auto& r = inner.rows;

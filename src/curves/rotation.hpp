@@ -13,8 +13,8 @@ struct CosineSinc {
   FineInterval cosine, sinc;
 };
 
-/// From the square of phi, by the alternating series: with square <= 1 the terms fall, so that what follows any term
-/// is between nothing and all of the next one. No promise of a library's sine is needed.
+/// From the square of phi, in [0, 1], by the alternating series. Its terms fall, so that the rest after any term lies
+/// between 0 and the next term. No promise of a library's sine is needed.
 inline CosineSinc small_angle(const FineInterval& square) {
   constexpr int kTerms = 16;  // 32! > 2^117
   const FineInterval one(1), some(DoubleDouble(0), DoubleDouble(1));

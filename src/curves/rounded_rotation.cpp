@@ -23,7 +23,7 @@ CosineSinc of_small_angle(double square) {
   return result;
 }
 
-/// Of twice the angle: within 15.7 u and 8.1 u. By 1 - 2 sin^2 x, which loses less than 2 cos^2 x - 1.
+/// Cosine and sine of twice the angle, within 15.7 u and 8.1 u. 1 - 2 sin^2 x loses less than 2 cos^2 x - 1.
 CosineSinc of_angle_from_half(double square_of_half) {
   const auto [cosine, sinc] = of_small_angle(square_of_half);
   return {1 - 2 * (square_of_half * sinc * sinc), sinc * cosine};
@@ -38,7 +38,7 @@ RoundedRotation rounded_rotation(const Point& rotation, double off) {
   if (x == 0 && y == 0 && z == 0 && off == 0) return {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 0};
   const bool is_small = square <= 4;
   const auto [cosine, sinc] = is_small ? of_small_angle(square / 4) : of_angle_from_half(square / 16);
-  const double a = sinc * cosine, b = 0.5 * sinc * sinc;  // those of the whole angle, from those of half of it
+  const double a = sinc * cosine, b = 0.5 * sinc * sinc;  // of the whole angle, from cosine and sinc of half of it
   const double xx = b * x * x, yy = b * y * y, zz = b * z * z, xy = b * x * y, xz = b * x * z, yz = b * y * z;
   const double angle = std::sqrt(square);
   const double lost = is_small ? 1 + 11 * angle + 1.5 * square : 5 + 25 * angle + 4.5 * square;

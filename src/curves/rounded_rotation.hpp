@@ -1,4 +1,4 @@
-// Rotations in doubles, and what they are off by: where bodies on curves are is computed from these.
+// Rotations in doubles with bounds of their errors: positions of bodies on curves are computed from these.
 #pragma once
 #include <array>
 
@@ -11,12 +11,12 @@ struct RoundedRotation {
   double error;  ///< no entry is off by more
 };
 
-/// Beyond, cosine and sine would be doubled twice from those of a small angle, and lose as many bits.
+/// In radians. A larger angle would need cosine and sine of a small angle doubled twice, and each doubling loses bits.
 inline constexpr double kLargestRoundedAngle = 4;
 
-/// By a rotation vector (its direction the axis, its length the angle) from which the true one is no farther than
-/// `off`. Proof of the error: docs/numerics.md, "Sine and cosine". REQUIRES: no longer than kLargestRoundedAngle, but
-/// for rounding.
+/// The rotation by `rotation` (its direction the axis, its length the angle), and a bound of its distance from the
+/// rotation by the true vector, which is no farther than `off` from that one. Proof: docs/numerics.md, "Sine and
+/// cosine". REQUIRES: `rotation` is no longer than kLargestRoundedAngle, but for rounding.
 RoundedRotation rounded_rotation(const Point& rotation, double off);
 
 }  // namespace tamis

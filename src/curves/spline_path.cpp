@@ -13,7 +13,7 @@
 
 namespace tamis {
 
-/// Of the frames first, first + 1, ...
+/// values[i] is the weight of frame first + i.
 struct SplinePath::Weights {
   std::size_t first;
   std::vector<FineInterval> values;
@@ -35,7 +35,7 @@ double length_above(std::initializer_list<std::pair<double, const Point*>> terms
   return tamis::length_above({along(0), along(1), along(2)});
 }
 
-/// The frame at or before time t, of `last` pieces, and exactly how far t lies beyond it.
+/// The piece that holds a time, and exactly how far the time lies beyond the piece's first frame, in pieces.
 struct PieceTime {
   std::size_t piece;
   FineInterval beyond;
@@ -66,7 +66,7 @@ SplinePath::SplinePath(std::vector<std::vector<Point>> frames, std::size_t least
   }
 }
 
-/// One that was moved from has no frames.
+/// 0 for a path that was moved from: it has no frames.
 Index SplinePath::vertex_count() const { return frames_.empty() ? 0 : static_cast<Index>(frames_[0].size()); }
 
 void SplinePath::points_at(double time, std::span<const Index> vertices, std::span<Point> points,
@@ -154,8 +154,8 @@ CatmullRomPath::CatmullRomPath(std::vector<std::vector<Point>> all) : SplinePath
   const double pieces = static_cast<double>(last);
   for (std::size_t i = 0; i < last; ++i) {
     std::vector<double> acceleration;
-    // Between frames b and c, with the slopes m and n there: Bezier points b, b + m/3, c - n/3, c; x'' is between
-    // 6 (c - b) - 4 m - 2 n at b and -6 (c - b) + 2 m + 4 n at c, linear between.
+    // Between frames b and c, with the slopes m and n there, the Bezier points are b, b + m/3, c - n/3, c. So x'' goes
+    // linearly from 6 (c - b) - 4 m - 2 n at b to -6 (c - b) + 2 m + 4 n at c.
     const std::size_t a = i > 0 ? i - 1 : 0, d = std::min(i + 2, last);
     const double m = i > 0 ? 0.5 : 1, n = i + 2 <= last ? 0.5 : 1;
     for (std::size_t v = 0; v < p[0].size(); ++v) {

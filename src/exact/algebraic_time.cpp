@@ -31,7 +31,7 @@ void AlgebraicTime::take_polynomial(IntegerPolynomial p) {
 
 void AlgebraicTime::halve() {
   DyadicCell right = cell_.right_half();
-  const int side = polynomial_.sign_at(right) * sign_before_;  // of this time minus the middle of the cell
+  const int side = polynomial_.sign_at(right) * sign_before_;  // the sign of this time minus the middle of the cell
   is_exact_ = side == 0;
   cell_ = side < 0 ? cell_.left_half() : std::move(right);
   ends_.reset();
@@ -39,7 +39,7 @@ void AlgebraicTime::halve() {
 
 void AlgebraicTime::refine() {
   if (!ends_) ends_ = {polynomial_.scaled_value(cell_), polynomial_.scaled_value({cell_.n + 1, cell_.k})};
-  // An end may be a root itself, of the same polynomial.
+  // An end of the cell may itself be a root of the polynomial: then the signs at the ends do not differ.
   if (refinement_ < 2 || ends_->lower.sign() * ends_->upper.sign() >= 0) {
     refinement_ = 4;
     return halve();
@@ -64,7 +64,7 @@ void AlgebraicTime::refine() {
 
 bool AlgebraicTime::is_root_of(const IntegerPolynomial& q) {
   IntegerPolynomial common = greatest_common_divisor(polynomial_, q);
-  // It has at most one root in the cell, a simple one: the parity of the sign variations decides.
+  // The divisor has at most one root in the cell, a simple one: the parity of its sign variations decides.
   if (common.degree() <= 0 || common.on(cell_).sign_variations() % 2 == 0) return false;
   if (common.degree() < polynomial_.degree()) take_polynomial(std::move(common));
   return true;
@@ -84,7 +84,7 @@ int AlgebraicTime::sign_of(const IntegerPolynomial& q) {
 bool AlgebraicTime::are_equal(const AlgebraicTime& a, const AlgebraicTime& b) {
   if (a.is_exact_ && b.is_exact_) return compare_lower_ends(a.cell_, b.cell_) == 0;
   if (a.is_exact_) return are_equal(b, a);
-  // Each cell holds one root of its polynomial.
+  // A cell holds one root of its polynomial: an exact `b` in the cell of `a` is that root iff it is a root.
   if (b.is_exact_)
     return compare_lower_ends(a.cell_, b.cell_) < 0 && compare_lower_ends(b.cell_, a.upper_end()) < 0 &&
            a.polynomial_.sign_at(b.cell_) == 0;
@@ -118,7 +118,7 @@ DyadicCell time_between(AlgebraicTime& a, AlgebraicTime& b) {
 void AlgebraicTime::narrow_to_doubles(double lower, double upper) {
   TAMIS_ASSERT(0 <= lower && lower < upper && upper <= 1);
   constexpr int kNewtonSteps = 12;
-  refinement_ = 32;  // between neighbouring doubles it is nearly a straight line
+  refinement_ = 32;  // between neighbouring doubles the polynomial is nearly a straight line
   const ApproximatePolynomial rough(polynomial_), slope = rough.derivative();
   double guess = lower + 0.5 * (upper - lower);
   for (int step = 0; next_up(lower) < upper; ++step) {

@@ -25,7 +25,7 @@ ApproximatePolynomial ApproximatePolynomial::derivative() const {
 
 ApproximatePolynomial::Value ApproximatePolynomial::near(double t) const {
   TAMIS_ASSERT(0 <= t && t <= 1);
-  if (t < std::numeric_limits<double>::min()) return {};  // the next double is not near
+  if (t < std::numeric_limits<double>::min()) return {};  // not certain: the next double is many times as large
   int time_exponent = 0;
   const double time = std::frexp(t, &time_exponent);
   double terms[IntegerPolynomial::kMaxDegree + 1], power = 1;
@@ -43,8 +43,9 @@ ApproximatePolynomial::Value ApproximatePolynomial::near(double t) const {
     sum += value;
     size += std::fabs(value);
   }
-  // A term: coefficient 2 u, power 5 u, product 1 u, its change up to the next double 6 * 2 u; six sums 6 u of the
-  // size. In all below 32 u; what lies 2^-900 below the largest is lost in that.
+  // A term is off by 2 u for its coefficient, 5 u for the power, 1 u for the product, 6 * 2 u for its change up to the
+  // next double; six sums add 6 u. In all below 32 u; 64 u are given, which covers the loss of terms 2^-900 below the
+  // largest.
   return {sum, 0x1p-47 * size, highest};
 }
 

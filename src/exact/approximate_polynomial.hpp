@@ -1,5 +1,5 @@
-// An integer polynomial in doubles with room for any exponent: its sign where that is beyond rounding, and a value for
-// Newton's method. Most signs of an exact decision are plain; only the others need integers.
+// An integer polynomial in doubles with exponents of their own: its sign where rounding leaves that certain, and a
+// value for Newton's method. Most signs of an exact decision are certain so; only the others need integers.
 #pragma once
 #include "exact/integer_polynomial.hpp"
 #include "numerics/wide_double.hpp"
@@ -18,7 +18,7 @@ class ApproximatePolynomial {
     /// 0 if not certain.
     int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
   };
-  /// At every time from t to the next double. REQUIRES: 0 <= t <= 1.
+  /// The value at every time from t to the next double. REQUIRES: 0 <= t <= 1.
   Value near(double t) const;
 
  private:

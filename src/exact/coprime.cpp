@@ -27,7 +27,7 @@ struct Residues {
   std::uint64_t& at(int i) { return powers[static_cast<std::size_t>(i)]; }
   bool has_lost_degree() { return at(degree) == 0; }
 
-  /// This, times a power of b's leading coefficient, modulo b.
+  /// Becomes the remainder, modulo b, of this polynomial times a power of b's leading coefficient.
   void reduce_modulo(Residues& b) {
     while (degree >= b.degree) {
       const std::uint64_t leading = at(degree);

@@ -14,7 +14,7 @@ constexpr int kDigits = std::numeric_limits<double>::digits;
 /// 2^-1074 is the spacing of the smallest doubles.
 constexpr long kFinestSpacing = 1074;
 
-/// The spacing 2^-s of the doubles from n / 2^k upward, as s.
+/// s, where doubles from n / 2^k upward have the spacing 2^-s.
 long spacing_above(const DyadicCell& cell) {
   if (cell.n.sign() == 0) return kFinestSpacing;
   const long above_binary_point = cell.n.bits() - static_cast<long>(cell.k);

@@ -19,11 +19,11 @@ struct DyadicCell {
 /// REQUIRES: 0 <= lower <= 1.
 DyadicCell cell_above(double lower);
 
-/// The time as the lower end of a cell, n odd or k = 0: as few bits as it has, where its double's own cell has 1074 of
-/// them at t = 0. REQUIRES: as above.
+/// The cell with the least k whose lower end is the time: n is odd, or k = 0. Its numbers are shorter than those of
+/// cell_above(), which has k = 1074 at t = 0. REQUIRES: 0 <= time <= 1.
 DyadicCell shortest_cell_at(double time);
 
-/// Halfway between in the order of the doubles, so that 62 halvings separate any two. REQUIRES: 0 <= a <= b.
+/// The double halfway between a and b in the order of the doubles: 62 halvings separate any two. REQUIRES: 0 <= a <= b.
 double middle_double(double a, double b);
 
 /// The sign of the lower end of `a` minus that of `b`.

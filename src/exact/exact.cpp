@@ -44,7 +44,7 @@ struct Side {
            time.sign_of(dot) <= 0;
   }
 
-  /// A polynomial that vanishes whenever the side begins to hold the origin, or ends; zero only if it always does.
+  /// A polynomial that vanishes when the side begins or ceases to hold the origin; zero only if the side always does.
   const IntegerPolynomial& event() const {
     for (const auto& c : cross)
       if (!c.is_zero()) return c;
@@ -60,8 +60,8 @@ class MovingPolygonTest {
         normal_(normal_polynomial(polygon)),
         coplanarity_(IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon.corner(0), normal_))) {}
 
-  /// The times of touching at which a span of them may begin or end. The origin comes into the polygon's plane and out
-  /// of it; where it is always in that plane it comes into the polygon, and out of it, through a side.
+  /// Adds the times of touching at which a span of touching may begin or end: those at which the origin comes into the
+  /// polygon's plane or out of it; where it is always in that plane, those at which it passes through a side.
   void add_times(TouchingTimes& times) const {
     if (!coplanarity_.is_zero())
       return times.add_roots(coplanarity_, [&](AlgebraicTime& time) { return contains_origin(time); });
@@ -84,8 +84,8 @@ class MovingPolygonTest {
     return is_on_boundary(time);
   }
 
-  /// The polygon's projection along `axis` is convex, with that orientation: the origin is on the inner side of all
-  /// sides.
+  /// Does the polygon's projection along `axis` hold the origin? The projection is convex, with this orientation: it
+  /// does if the origin is on the inner side of all sides.
   bool contains_projected_origin(AlgebraicTime& time, std::size_t axis, int orientation) const {
     for (std::size_t i = 0; i < polygon_.corner_count; ++i)
       if (time.sign_of(cross_along(axis, polygon_.corner(i), polygon_.corner(i + 1))) == -orientation) return false;
@@ -135,8 +135,8 @@ Decision decide_recontact_exactly(PairKind kind, const PairPoints& points, doubl
 
 int side_just_before(PairKind kind, const PairPoints& points, double time) {
   TAMIS_ASSERT(can_cross(kind) && is_finite(points) && 0 <= time && time <= 1);
-  // The normal of edges' polygon is -(e x f), and its corners lead from the first edge to the second: two changes of
-  // sign.
+  // The first feature's place along e x f is that of corner 0 along the polygon's normal, for both kinds: of edges the
+  // normal is -(e x f), and the corners lead from the first edge to the second.
   const MovingPolygon polygon = stretched_polygon(kind, points);
   auto k = IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon.corner(0), normal_polynomial(polygon)));
   AlgebraicTime now = AlgebraicTime::exactly(shortest_cell_at(time));

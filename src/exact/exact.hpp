@@ -6,17 +6,17 @@
 
 namespace tamis {
 
-/// Is there a t in [0,1] at which the distance of the two closed features is at most `separation`? At zero: at which
-/// they share a point. All degeneracies are decided: the answer is never unsure, and the ends of its bracket are equal,
-/// or neighbouring doubles. REQUIRES: finite coordinates, a finite separation >= 0.
+/// Finds the first t in [0,1] at which the distance of the two closed features is at most `separation`; if that is
+/// zero, at which they share a point. All degeneracies are decided: the answer is never unsure, and the ends of its
+/// bracket are equal, or neighbouring doubles. REQUIRES: finite coordinates, a finite separation >= 0.
 Decision decide_exactly(PairKind kind, const PairPoints& points, double separation = 0);
 
 /// Recontact: the same, but a pair that touches at t=0 counts only from when it touches again after it has come apart.
 Decision decide_recontact_exactly(PairKind kind, const PairPoints& points, double separation = 0);
 
-/// On which side of the second feature is the first one? The sign, along e x f (motion/pair_motion.hpp), of its place
-/// at `time`, and where the four points are coplanar then, just before it; at t=0 as if the motion had gone on so
-/// before. 0: they are coplanar throughout. REQUIRES: finite coordinates, `time` in [0,1], a kind that can cross.
+/// The side of the second feature on which the first one is: the sign of its place along e x f (motion/pair_motion.hpp)
+/// at `time`, or just before it if the four points are coplanar at `time`; at t=0 the motion is continued backwards. 0:
+/// they are coplanar throughout. REQUIRES: finite coordinates, `time` in [0,1], a kind that can cross.
 int side_just_before(PairKind kind, const PairPoints& points, double time);
 
 }  // namespace tamis

@@ -13,7 +13,7 @@ namespace {
 
 Vec3<double> unit_vector_of(const Vec3<Integer>& v) {
   const WideDouble x = WideDouble::of(v.x), y = WideDouble::of(v.y), z = WideDouble::of(v.z);
-  const long largest = std::max({x.exponent, y.exponent, z.exponent});  // an integer's is positive, but that of zero
+  const long largest = std::max({x.exponent, y.exponent, z.exponent});  // positive, but 0 if all are zero
   if (largest == 0) return {0, 0, 0};
   const auto value = [&](const WideDouble& a) { return a.times_two_to(-largest).value(); };
   return unit_vector(Vec3<double>{value(x), value(y), value(z)});
@@ -23,20 +23,20 @@ struct Weights {
   double u, v;
 };
 
-/// Of the polygon's corners.
+/// The weights of the two points whose difference is corner i of the polygon.
 Weights corner_weights(PairKind kind, std::size_t i) {
   constexpr Weights kFace[] = {{0, 0}, {1, 0}, {0, 1}}, kEdges[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   return kind == PairKind::edge_edge ? kEdges[i] : kFace[i];
 }
 
-/// Rounds what NearestPointSearch found. Estimates must be sharp for that.
+/// Rounds the nearest point that NearestPointSearch finds. Estimates must be sharp for that.
 template <class Length>
 class Description {
   using Number = NumberOf<Length>;
   using Vector = Vec3<Number>;
 
  public:
-  /// `polygon`: at the time; `points` tell how it came there.
+  /// `polygon`: at the time in question; `points`: the motion, which gives the direction where there is no gap.
   Description(PairKind kind, const Polygon<Length>& polygon, const PairPoints& points)
       : kind_(kind),
         polygon_(polygon),
@@ -49,14 +49,14 @@ class Description {
     if (sign(nearest_.square.above) > 0) result.distance = root(nearest_.square);
     return result;
   }
-  /// Is what was made sharp? That of integers is always.
+  /// Is the result of made() sure and sharp? Always true of integers.
   bool is_sure() const { return is_sure_; }
 
  private:
   static constexpr bool kIsInteger = std::is_same_v<Number, Integer>;
 
   Vector corner(std::size_t i) const { return as<Number>(polygon_.corner(i)); }
-  /// Asked where there is no gap.
+  /// Of corner i; asked for only where there is no gap.
   const Vector& velocity(std::size_t i) {
     if (!velocities_) velocities_ = corner_velocities<Number>(kind_, points_);
     return velocities_->corner(i);
@@ -94,13 +94,13 @@ class Description {
     }
   }
 
-  /// Of the point from corner i to corner j, at that time.
+  /// along.below times the point that lies at the fraction `along` of the way from i to j.
   static Vector at_weight(const Vector& i, const Vector& j, const Fraction<Number>& along) {
     return along.below * i + along.above * (j - i);
   }
 
-  /// The gap's direction; where there is none, that which it had before: against its velocity, as far as the side does
-  /// not take part in that.
+  /// The gap's direction; where there is no gap, the direction in which it vanished: against its velocity, less the
+  /// part along the side (at a corner the whole velocity counts).
   Vec3<double> direction_on_side() {
     const std::size_t i = nearest_.side, j = i + 1;
     const Fraction<Number>& along = nearest_.along;

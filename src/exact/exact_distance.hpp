@@ -6,8 +6,8 @@
 
 namespace tamis {
 
-/// As in NearPair, each rounded by a few u of itself; `direction` along the gap (distance/closest.hpp). Of features
-/// that touch it is the direction in which they came together; if they did not move, their normal, or zero without one.
+/// As in NearPair, each off by a few u of itself; `direction` is along the gap (distance/closest.hpp). Of features that
+/// touch it is the direction in which they came together; if they did not move, their normal, or zero without one.
 struct ExactDistance {
   double distance, u, v;
   Vec3<double> direction;
@@ -16,12 +16,12 @@ struct ExactDistance {
 /// REQUIRES, all: finite coordinates, `time` in [0,1].
 ExactDistance exact_distance(PairKind kind, const PairPoints& points, double time = 0);
 
-/// Its two halves. By words or estimates, at t=0 alone, none where a sign is not plain: later times make long integers,
-/// and where much of these cancels estimates rarely know what is left.
+/// The two halves of exact_distance(). Words and estimates serve t=0 alone, and tell nothing where a sign is not
+/// certain: later times make long integers, and where most of their digits cancel estimates rarely know the rest.
 std::optional<ExactDistance> estimated_distance(PairKind kind, const PairPoints& points);
 ExactDistance distance_in_integers(PairKind kind, const PairPoints& points, double time);
 
-/// Along e x f (motion/pair_motion.hpp), of unit length; zero if that is.
+/// The unit vector along e x f (motion/pair_motion.hpp) at `time`; zero if e x f is.
 Vec3<double> exact_normal(PairKind kind, const PairPoints& points, double time);
 
 }  // namespace tamis

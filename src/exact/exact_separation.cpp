@@ -7,7 +7,7 @@
 namespace tamis {
 namespace {
 
-/// Its components are polynomials in time.
+/// A vector whose components are polynomials in time.
 using PolynomialVec = Vec3<IntegerPolynomial>;
 
 PolynomialVec vector_of(const Moving<Integer>& v) {

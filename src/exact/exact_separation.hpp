@@ -6,7 +6,7 @@
 //   side from x to y |x cross y|^2 - s^2 |y - x|^2      degree 4
 //   plane            (c.n)^2 - s^2 n.n                  degree 6
 // At a root, signs of polynomials of degree at most 4 tell whether the foot of the perpendicular lies on the feature;
-// if it does the distance is at most s then. So the first such root of all is the first time. Proof, and why a
+// if it does, the distance is at most s then. So the first such root of all is the first time. Proof, and why a
 // polynomial that is always zero may be left out: docs/numerics.md.
 #pragma once
 #include "exact/moving_polygon.hpp"
@@ -14,8 +14,8 @@
 
 namespace tamis {
 
-/// Adds all times at which the pair may come within the separation, or leave it. REQUIRES: a finite separation > 0, as
-/// difference_polygon() had it.
+/// Adds all times at which the pair may come within the separation, or leave it. REQUIRES: a finite separation > 0, the
+/// one given to difference_polygon().
 void add_times_within(const MovingPolygon& polygon, double separation, TouchingTimes& times);
 
 }  // namespace tamis

@@ -12,7 +12,7 @@ class IntegerPolynomial {
  public:
   static constexpr int kMaxDegree = 6;
 
-  /// Zero.
+  /// The zero polynomial.
   IntegerPolynomial() = default;
   explicit IntegerPolynomial(const Integer& constant) {
     powers_[0] = constant;
@@ -22,10 +22,10 @@ class IntegerPolynomial {
   template <std::size_t N>
   static IntegerPolynomial from_bernstein(std::array<Integer, N> coefficients);
 
-  /// -1 for zero.
+  /// -1 for the zero polynomial.
   int degree() const { return degree_; }
   bool is_zero() const { return degree_ < 0; }
-  /// Of t^i. REQUIRES: 0 <= i <= kMaxDegree.
+  /// The coefficient of t^i. REQUIRES: 0 <= i <= kMaxDegree.
   const Integer& operator[](int i) const {
     TAMIS_ASSERT(0 <= i && i <= kMaxDegree);
     return powers_[static_cast<std::size_t>(i)];
@@ -33,16 +33,16 @@ class IntegerPolynomial {
 
   /// 2^(k degree) times the value at the lower end of the cell.
   Integer scaled_value(const DyadicCell& at) const;
-  /// Of the value at the lower end of the cell: -1, 0 or 1.
+  /// The sign of the value at the lower end of the cell: -1, 0 or 1.
   int sign_at(const DyadicCell& at) const { return scaled_value(at).sign(); }
-  /// Of the values just after t = 0.
+  /// The sign of the values just after t = 0.
   int sign_after_zero() const;
 
-  /// Of the Bernstein coefficients on [0,1]. Descartes' rule: at least the number of roots in the open interval,
-  /// counted with multiplicity, and of the same parity.
+  /// The number of sign variations of the Bernstein coefficients on [0,1]. By Descartes' rule at least the number of
+  /// roots in the open interval, counted with multiplicity, and of the same parity.
   int sign_variations() const;
 
-  /// The cell mapped to [0,1], times a positive constant.
+  /// The polynomial with the cell mapped to [0,1], times a positive constant.
   IntegerPolynomial on(const DyadicCell& cell) const;
 
   /// REQUIRES: the degree of the result is at most kMaxDegree.
@@ -52,7 +52,7 @@ class IntegerPolynomial {
   friend IntegerPolynomial operator*(const Integer& a, const IntegerPolynomial& b);
 
   IntegerPolynomial derivative() const;
-  /// Same roots, all of them simple. REQUIRES: not zero.
+  /// A polynomial with the same roots, all of them simple. REQUIRES: not zero.
   IntegerPolynomial squarefree_part() const;
 
   /// A greatest common divisor, primitive. REQUIRES: neither is zero.
@@ -60,12 +60,12 @@ class IntegerPolynomial {
 
  private:
   Integer& at(int i) { return powers_[static_cast<std::size_t>(i)]; }
-  /// After coefficients changed: the degree.
+  /// Finds the degree after coefficients have changed. REQUIRES: it is no more than `at_most`.
   void find_degree(int at_most);
   void shift_by(const Integer& n);
   void divide_by_powers_of_two();
   void divide_by_content();
-  /// This, times a power of b's leading coefficient, modulo b.
+  /// Becomes the remainder, modulo b, of this polynomial times a power of b's leading coefficient, less powers of two.
   void reduce_modulo(const IntegerPolynomial& b);
   IntegerPolynomial divided_exactly_by(const IntegerPolynomial& primitive_divisor) const;
 
@@ -73,8 +73,8 @@ class IntegerPolynomial {
   int degree_ = -1;
 };
 
-/// A quick proof that two polynomials have no common factor: true only if they have none modulo a prime. A common
-/// factor of degree d keeps it modulo a prime that does not divide its leading coefficient, and so not one of theirs.
+/// A quick proof that two polynomials have no common factor: true only if they have none modulo a prime that divides
+/// neither leading coefficient. Such a prime does not divide that of a common factor either, which keeps its degree so.
 /// REQUIRES: neither is zero.
 bool are_surely_coprime(const IntegerPolynomial& a, const IntegerPolynomial& b);
 

@@ -15,7 +15,7 @@ Vec3<Number> scaled_to_integers(const Point& p, const Exponents& units) {
           scaled_to_integer<Number>(p[2], units[2])};
 }
 
-/// Of the features' vertices.
+/// The difference polygon of a pair whose features have the vertices `x`.
 template <class Corner>
 PolygonOf<Corner> polygon_of(PairKind kind, const std::array<Corner, 4>& x, int exponent) {
   const auto corners = difference_corners(kind);

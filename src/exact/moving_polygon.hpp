@@ -22,7 +22,7 @@ struct PolygonOf {
   std::size_t corner_count;       ///< 1 to 4
   int exponent;                   ///< a coordinate 1 is a length of 2^exponent
 
-  /// REQUIRES: i <= corner_count, which is the first corner again.
+  /// Corner corner_count is the first one again. REQUIRES: i <= corner_count.
   const Corner& corner(std::size_t i) const {
     TAMIS_ASSERT(i <= corner_count);
     return corners[i < corner_count ? i : 0];
@@ -31,22 +31,22 @@ struct PolygonOf {
   std::size_t side_count() const { return corner_count == 2 ? 1 : corner_count; }
 };
 using MovingPolygon = PolygonOf<Moving<Integer>>;
-/// At one time.
+/// The polygon at one time.
 template <class Length>
 using Polygon = PolygonOf<Vec3<Length>>;
 
-/// Times a power of two that makes every coordinate an integer, and the separation. REQUIRES: finite numbers,
-/// a kind there is.
+/// The difference polygon times a power of two that makes its coordinates and the separation integers. REQUIRES: finite
+/// numbers, a kind there is.
 MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double separation = 0);
 
-/// The same at t=0: numbers no longer than the start makes them. REQUIRES: as above.
+/// The same at t=0, in the unit that the start alone needs, which makes numbers shorter. REQUIRES: as above.
 template <class Number = Integer>
 Polygon<Number> start_polygon(PairKind kind, const PairPoints& points, double separation = 0);
 
-/// The same in words, where 61 bits hold every coordinate: what nearly all are. REQUIRES: as above.
+/// The same in words; nothing where 61 bits do not hold every coordinate, which is rare. REQUIRES: as above.
 std::optional<Polygon<Word>> start_polygon_in_words(PairKind kind, const PairPoints& points, double separation = 0);
 
-/// Of each corner what it moves in the step, in a unit of its own. REQUIRES: as above.
+/// The displacement of each corner during the step, in a unit of its own. REQUIRES: as above.
 template <class Number>
 Polygon<Number> corner_velocities(PairKind kind, const PairPoints& points);
 
@@ -54,16 +54,16 @@ Polygon<Number> corner_velocities(PairKind kind, const PairPoints& points);
 /// but no distances. The exponent means nothing. REQUIRES: as above.
 MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points);
 
-/// As it is at `time` of the step, the lower end of the cell. REQUIRES (not checked: exact): in [0,1].
+/// The polygon at `time` of the step, the lower end of that cell. REQUIRES (not checked: exact): `time` is in [0,1].
 Polygon<Integer> polygon_at(const MovingPolygon& polygon, const DyadicCell& time);
 
-/// Of the polygon's plane, as motion/polynomials.hpp has it; zero if there are less than three corners.
+/// The normal of the polygon's plane, as motion/polynomials.hpp has it; zero if there are less than three corners.
 inline std::array<Vec3<Integer>, 3> normal_polynomial(const MovingPolygon& polygon) {
   const Moving<Integer>& first = polygon.corner(0);
   return normal_polynomial(polygon.corner(1) - first, polygon.corner(polygon.corner_count - 1) - first);
 }
 
-/// x / 2^exponent. REQUIRES: x is finite, and that is an integer.
+/// x / 2^exponent. REQUIRES: x is finite, and the quotient is an integer.
 template <class Number = Integer>
 Number scaled_to_integer(double x, int exponent);
 

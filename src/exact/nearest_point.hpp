@@ -1,5 +1,5 @@
-// The point of the difference polygon nearest to the origin: in integers, or in words or estimates as long as all signs
-// that it asks for are known.
+// The point of the difference polygon nearest to the origin: in integers, or in words or estimates, which serve as long
+// as they know every sign that is asked for.
 #pragma once
 #include <array>
 #include <type_traits>
@@ -11,19 +11,19 @@
 
 namespace tamis {
 
-/// REQUIRES, whoever reads its value: below > 0.
+/// above / below. REQUIRES of whoever reads its value: below > 0.
 template <class Number>
 struct Fraction {
   Number above, below{1};
 };
 
-/// Off by 2^-51 of itself at most. REQUIRES: below > 0.
+/// The value, off by at most 2^-51 of itself. REQUIRES: below > 0.
 inline WideDouble wide(const Fraction<Integer>& a) {
   TAMIS_ASSERT(a.below.sign() > 0);
   return WideDouble::of(a.above) / WideDouble::of(a.below);
 }
 
-/// The types of products of two lengths, and of more.
+/// The types of the product of two lengths, and of a product of more.
 template <class Length>
 using AreaOf = decltype(std::declval<Length>() * std::declval<Length>());
 template <class Length>
@@ -36,14 +36,14 @@ struct NearestPoint {
   struct Plane {
     Vec3<Number> normal;
     Number square;  ///< of the normal
-    Number height;  ///< of the plane along the normal, times its length; of a point inside alone
-    /// By side, times the normal's square: the share of the polygon's parallelogram between it and the foot of the
-    /// perpendicular; negative where that is beyond the side.
+    Number height;  ///< of the plane along the normal, times the normal's length; only if is_inside
+    /// For each side, times the normal's square: the share of the polygon's parallelogram that lies between the side
+    /// and the foot of the perpendicular; negative where the foot is beyond the side.
     std::array<Number, 4> within;
   };
 
   Fraction<Number> square;  ///< of the distance, in the unit 4^exponent of the polygon
-  std::size_t side = 0;     ///< on the side from corner `side` to the next, at `along`; or, if is_inside, off the sides
+  std::size_t side = 0;     ///< unless is_inside: the point is on the side from corner `side` to the next, at `along`
   Fraction<Number> along;
   bool is_inside = false;
   Plane plane;
@@ -58,9 +58,9 @@ bool has_sign(const Number& x) {
     return true;
 }
 
-/// Its plane where the foot of the perpendicular lies inside, else the nearest of the sides that part the two; a side
-/// that holds the origin in any case. No other side is nearer: from the nearest point of a convex polygon the foot lies
-/// along the outward normal of a side, or between those of two that meet, so beyond one of them.
+/// Takes the foot of the perpendicular if it lies inside, else the nearest point on the sides that part the two; in any
+/// case a side that holds the origin. No other side is nearer: as seen from the nearest point of a convex polygon, the
+/// foot lies along the outward normal of a side, or between those of two sides that meet, and so beyond one of them.
 template <class Length>
 class NearestPointSearch {
   using Area = AreaOf<Length>;
@@ -70,7 +70,7 @@ class NearestPointSearch {
  public:
   static NearestPoint<Length> in(const Polygon<Length>& polygon) { return NearestPointSearch(polygon).find(); }
 
-  /// Of the polygon's plane; zero: there is none.
+  /// The normal of the polygon's plane; zero if it has none.
   static Vec3<Area> normal(const Polygon<Length>& polygon) {
     if (polygon.corner_count < 3) return {};
     const Vector& first = polygon.corner(0);
@@ -92,7 +92,7 @@ class NearestPointSearch {
     return x.sign();
   }
 
-  /// Of the segment from corner x to corner y; `across` is x cross y.
+  /// The nearest point of the segment from corner x to corner y; `across` is x cross y.
   OnSide nearest_on_side(const Vector& x, const Vector& y, const Vec3<Area>& across) {
     const Vector side = y - x;
     const Area before = dot(x, side);

@@ -41,7 +41,8 @@ class RootIsolation {
     bool may_start_with_root;
   };
 
-  /// From left to right. What is left to look at is a list, for exponents make cells thousands of halvings deep.
+  /// Finds the roots from left to right, by a list of cells in place of recursion: exponents make cells thousands of
+  /// halvings deep.
   void isolate() {
     std::vector<Part> parts;
     parts.push_back({within_, local_, 0, 4, false});
@@ -55,9 +56,9 @@ class RootIsolation {
     }
   }
 
-  /// Roots close together are tried in one of 2^bits smaller cells, ever smaller ones, where Newton's method puts them
-  /// (Sagraloff, Mehlhorn 2016): one with all the variations leaves none, and so no root, to the rest. Ordinary roots
-  /// are soon told apart: at first cells are halved.
+  /// Halves the cell, which soon tells ordinary roots apart. After kHalvings, roots that are still together are first
+  /// sought where Newton's method puts them, in one of 2^bits smaller cells (Sagraloff, Mehlhorn 2016): if that cell
+  /// has all the variations, the rest of this one has none, and so no root; the next try is among twice as many bits.
   static void divide(const Part& part, int variations, std::vector<Part>& parts) {
     constexpr int kHalvings = 3;
     const auto& [cell, local, depth, bits, is_right] = part;
@@ -74,7 +75,7 @@ class RootIsolation {
     parts.push_back({cell.left_half(), local.on({0, 1}), depth + 1, fewer_bits, false});
   }
 
-  /// Of 2^bits cells of [0,1] one that may hold so many roots, by one step of Newton's method from an end.
+  /// That of 2^bits cells of [0,1] which may hold `roots` roots, by a step of Newton's method from the end 0 or 1.
   static DyadicCell cell_of_roots(const IntegerPolynomial& local, int roots, int end, unsigned long bits) {
     const Integer value = local.scaled_value({end, 0}), slope = local.derivative().scaled_value({end, 0});
     const Integer last = (Integer(1) << bits) - 1;
@@ -86,11 +87,11 @@ class RootIsolation {
 
   IntegerPolynomial polynomial_;
   const DyadicCell within_;
-  IntegerPolynomial local_;  ///< with that cell mapped to [0,1]
+  IntegerPolynomial local_;  ///< the polynomial with within_ mapped to [0,1]
   std::vector<AlgebraicTime> roots_;
 };
 
-/// From 0 to the power of two next above.
+/// The cell from 0 to the next power of two above `latest`, which is at most 1.
 DyadicCell cell_until(double latest) {
   int exponent = 0;
   std::frexp(std::max(latest, std::numeric_limits<double>::denorm_min()), &exponent);

@@ -1,5 +1,4 @@
-// The distance at t=0 compared with a separation, decided exactly: rounding must not stop a step that
-// may go, be it ever so little.
+// The distance at t=0 compared with a separation, decided exactly: rounding must not stop a step that may go a little.
 #pragma once
 #include "exact/moving_polygon.hpp"
 
@@ -14,8 +13,8 @@ bool is_within(const Polygon<Integer>& polygon, double separation);
 bool starts_within(PairKind kind, const PairPoints& points, double separation);
 
 /// 0 if at t=0 the features are within `separation` of each other; else a time > 0 (unless it underflows) before which
-/// they are not: their distance beyond it over a bound on their relative speed. Infinite if nothing moves against the
-/// other. Decided exactly. REQUIRES: finite coordinates, a finite separation >= 0.
+/// they are not: their distance less `separation`, over a bound of their relative speed; infinite if neither moves
+/// against the other. Which of these it is is decided exactly. REQUIRES: finite coordinates, a finite separation >= 0.
 double apart_from_start(PairKind kind, const PairPoints& points, double separation);
 
 }  // namespace tamis

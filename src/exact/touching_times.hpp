@@ -1,5 +1,5 @@
-// The times at which a pair touches that are roots of the polynomials of an exact decision: the first of them, or the
-// first recontact after the pair has come apart.
+// Collects times at which a pair touches, roots of the polynomials of an exact decision, and finds the first of them,
+// or the first recontact after the pair has come apart.
 #pragma once
 #include <algorithm>
 #include <utility>
@@ -15,8 +15,8 @@ class TouchingTimes {
   enum class Wanted { first, recontact };
   explicit TouchingTimes(Wanted wanted) : wanted_(wanted) {}
 
-  /// The roots of `p` in [0,1] for which `holds(time)`, each a time of touching; where the first time of all is wanted,
-  /// the first of them. A polynomial that is always zero has none: it begins and ends nothing.
+  /// Adds the roots of `p` in [0,1] for which `holds(time)`, each a time of touching; where only the first time of all
+  /// is wanted, the first such root. Of a polynomial that is always zero adds none: it begins and ends nothing.
   template <class Condition>
   void add_roots(const IntegerPolynomial& p, const Condition& holds) {
     if (p.is_zero()) return;
@@ -29,8 +29,8 @@ class TouchingTimes {
     }
   }
 
-  /// Times are compared by their brackets, which ascend with them. Of pairs apart at t=0 alone: one that moves within
-  /// its plane may go on touching without any of these times.
+  /// The first time of touching. Times are compared by their brackets, which ascend with them. Only for pairs that are
+  /// apart at t=0: a pair that moves within its plane may go on touching without any of these times.
   Decision first() const {
     Decision first;
     for (const AlgebraicTime& time : times_) {
@@ -41,8 +41,8 @@ class TouchingTimes {
   }
 
   /// The first time of touching that a time without contact precedes; `touches(time)` decides single times. At the
-  /// start the pair may touch or not. The end of every span of time in which the pair touches must be among the times,
-  /// its start too: then between two neighbours it touches always or never.
+  /// start the pair may touch or not. Both ends of every span of touching must be among the times: then between two
+  /// neighbours the pair touches always or never.
   template <class Condition>
   Decision first_recontact(const Condition& touches) {
     AlgebraicTime start = AlgebraicTime::exactly({0, 0});

@@ -1,4 +1,4 @@
-// The largest unit in which coordinates are integers, so that these are short; and coordinates as words of 61 bits.
+// The largest unit in which coordinates are integers, which makes these short; and coordinates as words of 61 bits.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -28,17 +28,17 @@ inline Parts parts_of(double x) {
   return {x < 0 ? -mantissa : mantissa, std::max(biased, 1) - 1075};
 }
 
-/// Of the last bit that is set; INT_MAX for zero.
+/// The exponent of the last bit that is set; INT_MAX for zero.
 inline int lowest_exponent(double x) {
   if (x == 0) return INT_MAX;
   const Parts parts = parts_of(x);
   return parts.exponent + std::countr_zero(static_cast<std::uint64_t>(parts.mantissa));
 }
 
-/// By axis.
+/// One for each axis.
 using Exponents = std::array<int, 3>;
 
-/// The lower of each and of those of the points' coordinates; INT_MAX for an axis that has no bit.
+/// For each axis the lowest of `lowest` and the lowest_exponent() of the points' coordinates; INT_MAX if all are zero.
 inline Exponents lowest_exponents(std::span<const Point> points, Exponents lowest = {INT_MAX, INT_MAX, INT_MAX}) {
   for (const Point& point : points)
     for (std::size_t k = 0; k < 3; ++k) lowest[k] = std::min(lowest[k], lowest_exponent(point[k]));
@@ -49,22 +49,22 @@ inline Exponents lowest_exponents(const PairPoints& points) {
   return lowest_exponents(points.end, lowest_exponents(points.start));
 }
 
-/// The lowest of all, also of the separation's, for each axis.
+/// The lowest of all axes and of the separation, for each axis; 0 if all are zero.
 inline Exponents common_unit(const Exponents& lowest, double separation) {
   const int common = std::min({lowest[0], lowest[1], lowest[2], lowest_exponent(separation)});
   const int unit = common == INT_MAX ? 0 : common;
   return {unit, unit, unit};
 }
 
-/// Points whose coordinates are integers in one unit, of 2^exponent.
+/// Points whose coordinates are integers in the unit 2^exponent.
 template <std::size_t count>
 struct InWords {
   std::array<Vec3<Word>, count> points;
   int exponent;
 };
 
-/// In the largest unit in which they and the separation are whole, if 61 bits hold them then: tried is a unit of 2^-61
-/// of the largest, and the last bits are taken off that none has set.
+/// The points in the largest unit in which they and the separation are whole; nothing if 61 bits do not hold them then,
+/// or if all are zero. Tries a unit of 2^-61 of the largest, then takes off the last bits that no number has set.
 template <std::size_t count>
 std::optional<InWords<count>> in_words(const std::array<Point, count>& points, double separation) {
   double largest = separation;

@@ -23,7 +23,7 @@ struct DistanceAt {
 template <class T>
 struct ApartProof {
   T until;              ///< proven apart until then; no later than the probed time if nothing is proven
-  T retry_in;           ///< after so much time the distance should have fallen far enough to be certified
+  T retry_in;           ///< after this time the distance should have fallen far enough to certify a contact
   TurningAxis<T> axis;  ///< along which the pair is apart
 };
 
@@ -44,7 +44,7 @@ class SeparationProbe {
   /// Is the distance within the separation, certified?
   Mask<T> touches(const DistanceAt<T>& distance) const { return distance.at_most <= m_.separation; }
 
-  /// `distance`: that at `t`.
+  /// The proof that the pair is apart from `t` on. `distance`: distance_at(t).
   ApartProof<T> prove_apart(const T& t, const DistanceAt<T>& distance) const {
     const TurningAxis<T> fixed{distance.closest.gap}, turning = orthogonal_axis<kind>(m_, t, distance.closest);
     const T by_fixed = clip_.apart_until(t, fixed), by_turning = clip_.apart_until(t, turning);

@@ -1,6 +1,6 @@
-// What doubles decide of nearly every pair that crosses: one crossing in what the slab clip on the coordinates leaves;
-// and where that is not enough, in what the clip on all its axes leaves, one on each side of where the cubic turns. The
-// same lines serve one pair and pairs in lanes, so that a pair has the same bits however it is asked.
+// How doubles decide nearly every pair that crosses: by one crossing in the times that the slab clip on the coordinate
+// axes leaves; or else in those that the clip on all its axes leaves, by a crossing on each side of the cubic's turning
+// point. A single pair and pairs in lanes run the same lines, so that a pair has the same bits however it is asked.
 #pragma once
 #include "filters/slab_clip.hpp"
 #include "narrow/crossing.hpp"
@@ -8,15 +8,15 @@
 
 namespace tamis {
 
-/// The clip of a face that is orthogonal to an axis ends at the very time of contact, where no sign is certain.
+/// Adds a margin: where a face is orthogonal to an axis its clip ends at the contact itself, where no sign is certain.
 template <class T>
 inline TimeInterval<T> widened(const TimeInterval<T>& time) {
   const T margin(1.0 / 1024);
   return {max(time.t_in - margin, T(0)), min(time.t_out + margin, T(1))};
 }
 
-/// Restricts a crossing that was found in widened(clip) to `clip`. It decides the pair if it is free or touches then; a
-/// contact whose bracket is not sharp does not count as decided.
+/// Restricts a crossing that was found in widened(clip) to `clip`. The result decides the pair if it is free or
+/// touches; a contact whose bracket is not sharp is not decided, so `touches` is false there.
 template <class T>
 inline Crossing<T> clipped_crossing(Crossing<T> c, const TimeInterval<T>& clip) {
   c.lower = max(c.lower, clip.t_in);

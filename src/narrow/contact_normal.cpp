@@ -14,8 +14,8 @@ namespace {
 
 using Vec = Vec3<double>;
 
-/// Along e x f, of any length; zero if there is none. Where rounding would tilt it by more than 2^-28 (components are
-/// off by at most 20 u E F, as those of N in error_bounds.hpp), as of slivers, by integers.
+/// A normal along e x f, of any length; zero if e x f is. In integers where rounding would tilt it by more than 2^-28,
+/// as of slivers: components are off by at most 20 u E F, as those of N in error_bounds.hpp.
 Vec normal_at(const PairInStep& pair, double time) {
   const PairMotion<double>& m = pair.motion;
   const Vec normal = cross(at_time(m.e, time), at_time(m.f, time));
@@ -28,7 +28,7 @@ Point unit_point(const Vec& v) {
   return {unit.x, unit.y, unit.z};
 }
 
-/// A unit vector along e x f, or if that vanishes one orthogonal to what is left.
+/// A unit vector along e x f; if that vanishes, one orthogonal to e, or if e vanishes, to f.
 Point any_normal(const PairInStep& pair, double time) {
   const PairMotion<double>& m = pair.motion;
   const Vec normal = normal_at(pair, time), e = at_time(m.e, time);
@@ -38,8 +38,8 @@ Point any_normal(const PairInStep& pair, double time) {
   return {1, 0, 0};
 }
 
-/// As side_just_before: the coplanarity, which has that sign for a vertex and the other for edges, falls to zero from
-/// it.
+/// As side_just_before(), by the slope of the coplanarity where it is certain. Before the crossing the coplanarity has
+/// the side's sign for a vertex, the opposite one for edges, and it goes to zero from there.
 int side_before_crossing(const PairInStep& pair, const TimeInterval<double>& time) {
   const double slope = crossing::least_slope_during(pair.motion, time);
   if (slope == 0) return side_just_before(pair.kind, pair.points, time.t_in);
@@ -67,7 +67,7 @@ ContactPlace exact_closest_place(PairKind kind, const PairPoints& points, double
 ContactPlace crossing_place(const PairInStep& pair, const TimeInterval<double>& time, int side) {
   TAMIS_ASSERT(can_cross(pair.kind) && is_part_of_step(time) && -1 <= side && side <= 1);
   const PairMotion<double>& m = pair.motion;
-  const Vec normal = normal_at(pair, time.t_in);  // where the side is meant, as the two may turn over
+  const Vec normal = normal_at(pair, time.t_in);  // the side is that at t_in: later the features may turn over
   const double middle = 0.5 * (time.t_in + time.t_out);
   if (side == 0 || !(largest_component(normal) > 0)) return closest_place(pair, time.t_in);
   const auto closest = closest_points(pair.kind, at_time(m.e, middle), at_time(m.f, middle), at_time(m.d, middle));

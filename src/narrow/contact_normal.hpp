@@ -1,7 +1,8 @@
-// Where two features touch: contact weights, and the normal: the direction in which the first feature must go, or the
-// second be pushed back, so that they part. Of a pair that comes near (a minimum separation, or a kind that cannot
-// cross) that of the closest points at toi_lower; of one that crosses that of the face, or of both edges, towards the
-// side on which the first feature was. Doubles tell where they can, integers the rest (docs/numerics.md, "Normals").
+// Where two features touch: contact weights and the normal, the direction in which the first feature must go, or the
+// second be pushed back, so that they part. A pair that comes near (with a minimum separation, or of a kind that cannot
+// cross) has the direction between the closest points at toi_lower; a pair that crosses has the normal of the face, or
+// of both edges, towards the side where the first feature was. Doubles tell where they can, integers the rest
+// (docs/numerics.md, "Normals").
 #pragma once
 #include "motion/make_motion.hpp"
 #include "motion/time_clip.hpp"
@@ -21,13 +22,13 @@ inline void set_place(PairResult& result, const ContactPlace& place) {
   result.normal = place.normal;
 }
 
-/// Of the closest points at `time`. REQUIRES, as all below: finite coordinates, times in [0,1] and in order.
+/// The place of the closest points at `time`. REQUIRES, all: finite coordinates, times in [0,1] and in order.
 ContactPlace closest_place(const PairInStep& pair, double time);
 /// The same in integers, where doubles do not tell it.
 ContactPlace exact_closest_place(PairKind kind, const PairPoints& points, double time);
 
-/// The place of a crossing within `time`. `side`: on which side of the second feature the first is before it, 1 or -1
-/// along e x f, or 0 if there is none. REQUIRES: a kind that can cross.
+/// The place of a crossing within `time`. `side`: that of the second feature on which the first one is before the
+/// crossing, 1 or -1 along e x f, or 0 if there is none. REQUIRES: a kind that can cross.
 ContactPlace crossing_place(const PairInStep& pair, const TimeInterval<double>& time, int side);
 
 /// The place of a contact whose times are known.

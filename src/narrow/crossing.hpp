@@ -1,7 +1,7 @@
-// One crossing: where the coplanarity cubic provably passes zero exactly once during the motion, the root is bracketed
-// by certified signs and the features are compared there. This decides nearly every pair that reaches the solver;
-// the rest is cut in time first (narrow/decide_in_doubles.cpp). One template for double and for SIMD lanes; every
-// lane's answer depends on that lane alone.
+// One crossing: where the coplanarity cubic provably passes zero exactly once during the motion, certified signs
+// bracket the root, and the inside test compares the features there. This decides nearly every pair that reaches the
+// solver; the rest is cut in time first (narrow/decide_in_doubles.cpp). One template for double and for SIMD lanes;
+// every lane's answer depends on that lane alone.
 #pragma once
 #include "filters/ncf.hpp"
 #include "motion/polynomials.hpp"
@@ -12,14 +12,14 @@
 
 namespace tamis {
 
-/// Of a part of the step; times are the step's.
+/// What one crossing tells of a part of the step; times are those of the step.
 template <class T>
 struct Crossing {
   Mask<T> is_free;   ///< proven: no contact in that part
   Mask<T> touches;   ///< proven: contact within [lower, upper], none before in that part
   Mask<T> brackets;  ///< proven: no contact in that part but within [lower, upper]; implied by `touches`
   T lower, upper;
-  T u, v;          ///< weights at the root, see Contact; as is the normal, where it touches
+  T u, v;          ///< weights, see Contact; like `normal` at the root, where it touches
   Vec3<T> normal;  ///< of unit length, towards the side on which the first feature was
 
   static Crossing free() { return {true, false, false, T(1), T(1), T(0), T(0), {T(0), T(0), T(0)}}; }
@@ -27,15 +27,15 @@ struct Crossing {
 
 namespace crossing {
 
-/// The step's time at `s` in [0,1] of `part`, off by 3 u; or moved in `direction`, -1 or 1, beyond what rounding here,
-/// in `s` and in such a time without a direction can make: 8 u.
+/// The step's time at `s` in [0,1] of `part`, off by 3 u. A `direction` of -1 or 1 moves it that way, beyond all that
+/// rounding can make here, in `s` and in a time with direction 0: 8 u.
 template <class T>
 inline T to_step(const TimeInterval<T>& part, const T& s, double direction) {
   const T t = (T(1) - s) * part.t_in + s * part.t_out;
   return min(max(t + T(direction * 12 * error_bounds::unit_roundoff<T>) * part.t_out, part.t_in), part.t_out);
 }
 
-/// Where the cubic turns between ends of one sign; the middle where it does not turn that way.
+/// The place in [0,1] where a cubic whose ends have one sign turns; the middle where it does not turn so.
 template <class T>
 inline T turning_point(const std::array<T, 4>& k) {
   // K' = c0 s^2 + c1 s t + c2 t^2 with s = 1 - t; a root t/s > 0 where c0 and c2 differ in sign.
@@ -47,8 +47,9 @@ inline T turning_point(const std::array<T, 4>& k) {
 
 }  // namespace crossing
 
-/// The question that the root of `cubic` answers. Keeps a reference to `step`. REQUIRES: the motion of a whole step,
-/// a part of it, and its cubic, of which the first coefficient is checked.
+/// One crossing in a part of a step: what signs tell before the root of `cubic` is known, then the answer at that root.
+/// Keeps a reference to `step`. REQUIRES: the motion of a whole step, a part of it, and its cubic (checked: the first
+/// coefficient).
 template <PairKind kind, class T>
 struct CrossingSearch {
   CrossingSearch(const PairMotion<T>& whole_step, const std::array<T, 4>& whole, const TimeInterval<T>& part_of_step)
@@ -59,7 +60,7 @@ struct CrossingSearch {
     unit = step.size_d * step.size_e * step.size_f;
     const T end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
     const T middle = error_bounds::bound(error_bounds::kCoplanarityMiddle, unit);
-    // Turned so that the cubic falls; one sign change whatever the uncertain signs, unless k1 < 0 < k2.
+    // A cubic that rises is negated. Then it changes its sign once, whatever the uncertain signs, unless k1 < 0 < k2.
     rises = k[0] < T(0);
     for (T& c : k) c = select(rises, -c, c);
     keeps_sign = (k[0] > end) & (k[1] > middle) & (k[2] > middle) & (k[3] > end);  // DNF
@@ -73,8 +74,8 @@ struct CrossingSearch {
     const T radius = T(1.5) * error / fall + T(8 * error_bounds::unit_roundoff<T>);
     const T t = crossing::to_step(part, s, 0);
     const Vec3<T> n = cross(at_time(step.e, t), at_time(step.f, t));
-    // K at t, from the vectors there; and how far it falls, beyond all rounding, within the radius. Where that proves
-    // nothing, the sign at t itself still tells on which side of it the root is.
+    // K at t, from the vectors at t; and how far K falls, in spite of all rounding, within the radius. Where the slope
+    // proves no fall, the sign of K at t itself still tells on which side of t the root is.
     const T value = dot(at_time(step.d, t), n), turned = select(rises, -value, value);
     const T length = part.t_out - part.t_in, bend = T(error_bounds::kBend) * length * length * unit;
     const T least_fall = fall - error_bounds::bound(error_bounds::kCoplanaritySlopeNow, unit) - radius * bend;
@@ -84,7 +85,7 @@ struct CrossingSearch {
     const T lower = crossing::to_step(part, max(s - radius, T(0)), -1);
     const T upper = crossing::to_step(part, min(s + radius, T(1)), 1);
     const auto sides = crossing::sides<kind>(step, n, t, max(upper - t, t - lower));
-    // K falls to zero where a vertex comes along n, and rises where the first edge does: it points to the second one.
+    // K falls to zero if a vertex comes from n's side, and rises if the first edge does: d starts from that edge.
     const T per_norm = sqrt(sides.per_norm2);
     const T along =
         kind == PairKind::vertex_face ? select(rises, -per_norm, per_norm) : select(rises, per_norm, -per_norm);
@@ -123,7 +124,7 @@ inline Crossing<T> find_crossing(const PairMotion<T>& step, const TimeInterval<T
   return search.at_root(crossing::find_root(search.cubic));
 }
 
-/// Two that have nothing to do with each other: while one waits for its root, the other is worked on.
+/// The crossings of two independent pairs: while the root of one is waited for, the other is worked on.
 template <PairKind kind, class T>
 inline std::array<Crossing<T>, 2> find_two_crossings(const PairMotion<T>& step_a, const TimeInterval<T>& part_a,
                                                      const PairMotion<T>& step_b, const TimeInterval<T>& part_b) {
@@ -131,8 +132,8 @@ inline std::array<Crossing<T>, 2> find_two_crossings(const PairMotion<T>& step_a
                           CrossingSearch<kind, T>(step_b, coplanarity_polynomial(step_b), part_b));
 }
 
-/// The same where one crossing is not enough: the part is cut where the cubic turns, and the first half that is not
-/// free gives the answer.
+/// As find_crossing, where one crossing is not enough: the part is cut where the cubic turns, and the first half that
+/// is not free gives the answer.
 template <PairKind kind, class T>
 inline Crossing<T> find_crossing_in_halves(const PairMotion<T>& step, const TimeInterval<T>& part) {
   const auto whole = coplanarity_polynomial(step);

@@ -1,4 +1,4 @@
-// Where a cubic that falls through zero once does so: a guess, which narrow/crossing.hpp certifies. A cubic is four
+// The root of a cubic that falls through zero once: a guess, which narrow/crossing.hpp certifies. A cubic is four
 // Bernstein coefficients, the middle ones times 3 (motion/polynomials.hpp). For double and for SIMD lanes.
 #pragma once
 #include <array>
@@ -52,7 +52,7 @@ class RootSearch {
   }
 
  private:
-  const T c0_, c1_, c2_, c3_;  // times the powers of t
+  const T c0_, c1_, c2_, c3_;  // coefficients of the powers of t
   T low_ = T(0), high_ = T(1), root_;
   Mask<T> goes_on_;
 };

@@ -1,5 +1,5 @@
-// Do the features of a pair meet at the time at which their four points are coplanar? For double, double-double and
-// SIMD lanes.
+// The inside test: do the features of a pair meet at the time at which their four points are coplanar? For double,
+// double-double and SIMD lanes.
 #pragma once
 #include "motion/pair_kinds.hpp"
 #include "motion/pair_motion.hpp"
@@ -8,8 +8,8 @@
 
 namespace tamis::crossing {
 
-/// What follows the masks has a meaning where `inside`: |n|^2 is then larger than what the sides exceed, so that it can
-/// be divided by.
+/// u, v and per_norm2 have a meaning only where `inside`: there |n|^2 is larger than the margins that the sides exceed,
+/// so that it can be divided by.
 template <class T>
 struct Sides {
   Mask<T> inside, outside;

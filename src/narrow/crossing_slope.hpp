@@ -9,8 +9,8 @@
 
 namespace tamis::crossing {
 
-/// The slope of the coplanarity during all of `time`, where it has one sign: in size no more than the least; or 0 if
-/// that is not certain. REQUIRES: a whole motion.
+/// A lower bound of the size of the coplanarity's slope during all of `time`, with the sign of that slope; 0 if the
+/// sign is not certain. REQUIRES: the motion of a whole step.
 inline double least_slope_during(const PairMotion<double>& m, const TimeInterval<double>& time) {
   TAMIS_ASSERT(is_whole(m) && is_part_of_step(time));
   const double unit = m.size_d * m.size_e * m.size_f, middle = 0.5 * (time.t_in + time.t_out);

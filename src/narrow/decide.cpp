@@ -24,18 +24,18 @@ std::optional<Decision> decide_again(const PairInStep& pair, const Decision& d) 
   return first_within_finely(pair, {d.lower, d.upper});
 }
 
-/// Of a pair whose cubic has no certain sign at t=0, as of edges that slide beside each other in one plane: axes
-/// between the two may still tell that they stay apart, at a tenth of the cost of integers. REQUIRES (not checked:
-/// exact): apart outside `time`.
+/// Do axes between the features prove that they stay apart during `time`? Asked of pairs whose cubic has no certain
+/// sign at t=0, as of edges that slide beside each other in one plane; a tenth of the cost of integers. REQUIRES (not
+/// checked: exact): apart outside `time`.
 bool stays_apart(const PairInStep& pair, const TimeInterval<double>& time) {
   return is_finite(pair.motion) && with_kind(pair.kind, [&](auto kind) {
            return TurningGap<kind(), double>(pair.motion).stays_apart(time, kTurningGapParts);
          });
 }
 
-/// What doubles say; nothing where the pair may touch at the start, which double-double does not decide either. With a
-/// separation they are asked about the whole step first, so that a pair has the bits that it has in lanes; without one
-/// they would cut what goes far into many parts there.
+/// What doubles decide; nothing where the pair may touch at the start, which double-double does not decide either. With
+/// a separation the whole step is asked first, so that a pair has the bits that it has in lanes. Without one,
+/// beginnings are asked first: the whole step of a pair that goes far would be cut into many parts.
 std::optional<Decision> decide_by_doubles(const PairInStep& pair, const TimeInterval<double>& clip) {
   const PairMotion<double>& m = pair.motion;
   if (is_about_distance(pair.kind, m.separation)) {
@@ -57,7 +57,7 @@ PairResult described(const PairInStep& pair, const Decision& decision) {
   return result;
 }
 
-/// Of a pair that crossings do not decide.
+/// Decides a pair that decided_by_crossings() does not.
 PairResult decide_further(const PairInStep& pair, PrecisionCount& decided_by, double latest) {
   if (const auto in_plane = decided_in_plane(pair)) {
     ++decided_by.scalar;

@@ -8,7 +8,8 @@
 
 namespace tamis {
 
-/// Counts in `decided_by` which arithmetic had the last word. `latest`, in [0,1]: as in PairOptions.
+/// What the pair does during the step. Counts in `decided_by` which arithmetic had the last word. `latest`, in [0,1]:
+/// as in PairOptions.
 PairResult decide(const PairInStep& pair, PrecisionCount& decided_by, double latest = 1);
 
 /// Recontact: does a pair that touches at t=0 touch again, after it has come apart? REQUIRES (not checked: exact): it

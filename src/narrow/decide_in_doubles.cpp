@@ -1,5 +1,5 @@
-// What doubles decide of one pair during a time: the slab clip, and in what that leaves a subdivision in time, or with
-// a separation an advancement.
+// Decides one pair during a time in doubles: by the slab clip, and in the times that it leaves by subdivision, or with
+// a separation by advancement.
 #include <algorithm>
 #include <vector>
 
@@ -14,14 +14,14 @@
 namespace tamis {
 namespace {
 
-// What is spent on one pair.
-/// Part that is cut further, and bracket of a crossing that is not: fractions of the step.
+// Limits of the work for one pair.
+/// The shortest part that is cut further, and the widest bracket of a crossing that is not: fractions of the step.
 constexpr double kShortestPart = 0x1p-44, kNarrowBracket = 0x1p-30;
-/// Parts that are looked at; of these, coplanar throughout: cutting them helps only NCF.
+/// The most parts that are looked at, and of these the most coplanar throughout: cutting such parts helps only NCF.
 constexpr int kMostPartsOfStep = 96, kMostCoplanarParts = 2;
 constexpr std::size_t kMostWaiting = 64;
 
-/// How the points of a part are coplanar, as far as doubles can tell.
+/// When during a part the four points are coplanar, as far as doubles can tell.
 struct Coplanarity {
   bool at_start, at_end, always;
 };
@@ -38,7 +38,7 @@ Coplanarity coplanarity(const PairMotion<double>& m) {
 /// Where to cut an undecided part: near an end at which the points are coplanar (contacts at the very start of a step
 /// are common), otherwise near the middle.
 double cut_at(const Coplanarity& points, const TimeInterval<double>& part) {
-  constexpr double kNearEnd = 0.03137;  // no simple fraction either
+  constexpr double kNearEnd = 0.03137;  // no simple fraction, like kNearMiddle
   const double s = points.at_start == points.at_end ? kNearMiddle : points.at_start ? kNearEnd : 1 - kNearEnd;
   return (1 - s) * part.t_in + s * part.t_out;
 }
@@ -60,13 +60,13 @@ Decision subdivide(const PairMotion<double>& m, const TimeInterval<double>& time
       break;
     }
     if (c.brackets && c.upper - c.lower <= kNarrowBracket) {
-      decision.add_unsure(c.lower, c.upper);  // its sides have said more than NCF could
+      decision.add_unsure(c.lower, c.upper);  // the inside test has said more than NCF could
       continue;
     }
     const auto r = restrict_to(m, part.t_in, part.t_out);
     if (Ncf::proves_free<kind>(r)) continue;
     const auto points = coplanarity(r);
-    if (points.always && TurningGap<kind, double>(m).stays_apart(part, kTurningGapParts)) continue;  // no sign tells
+    if (points.always && TurningGap<kind, double>(m).stays_apart(part, kTurningGapParts)) continue;  // K is about 0
     coplanar_parts += points.always;
     const double cut = cut_at(points, part);
     if (cut > part.t_in && cut < part.t_out && part.t_out - part.t_in > kShortestPart && looked_at < kMostPartsOfStep &&

@@ -1,4 +1,4 @@
-// What one certified crossing decides of one pair, or two in halves of its time: most pairs, and what lanes decide.
+// Decides one pair by one certified crossing, or by two in halves of its time, as lanes do: enough for most pairs.
 #include "filters/slab_clip.hpp"
 #include "narrow/clipped_crossing.hpp"
 #include "narrow/decisions.hpp"
@@ -6,8 +6,8 @@
 namespace tamis {
 namespace {
 
-/// What one crossing decides in what the clip on the coordinates leaves, or two in what that on all axes does; nothing
-/// where that takes more.
+/// Decides the pair by one crossing in the times that the clip on the coordinate axes leaves, or, by `axes`, by two in
+/// the times that the clip on all axes leaves; nothing where that is not enough.
 template <PairKind kind, SlabClip::Axes axes>
 std::optional<PairResult> decided_after_clip(const PairMotion<double>& m, double latest) {
   const auto clip = SlabClip::clip<kind, axes>(m, TimeInterval<double>{0, 1});

@@ -1,6 +1,6 @@
-// Edges that move in one plane across a coordinate axis, as all of a 2D simulation do. They are coplanar at all times,
-// so that no crossing tells when they touch; but they touch first where an end of one comes to the other, and there
-// this other crosses the line through that end which stands upright on the plane.
+// Edges that move in one plane orthogonal to a coordinate axis, as all of a 2D simulation do. Such edges are coplanar
+// at all times, so that no crossing of theirs tells when they touch. But they touch first where an end of one comes to
+// the other edge, and there the other edge crosses the line through that end orthogonal to the plane: the upright.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@
 namespace tamis {
 namespace {
 
-/// The coordinate that all four points share at the start, and at the end; 3 if there is none.
+/// The axis along which all four points have one coordinate at the start, and one at the end; 3 if there is none.
 std::size_t shared_coordinate(const PairPoints& points) {
   const auto is_shared = [](const std::array<Point, 4>& p, std::size_t k) {
     return p[0][k] == p[1][k] && p[0][k] == p[2][k] && p[0][k] == p[3][k];
@@ -20,8 +20,8 @@ std::size_t shared_coordinate(const PairPoints& points) {
   return k;
 }
 
-/// The edges, of which the one that `end` belongs to is replaced by a line through it along an axis, longer than the
-/// plane is away from zero, so that neither end of it is rounded into the plane.
+/// The points of the edges, with the edge of `end` replaced by the upright: a line through that end along `axis`. Each
+/// half of the upright is as long as the largest coordinate, so that neither of its ends is rounded into the plane.
 PairPoints with_upright(const PairPoints& points, std::size_t end, std::size_t axis) {
   double height = 0;
   for (const auto* at : {&points.start, &points.end})
@@ -38,12 +38,12 @@ PairPoints with_upright(const PairPoints& points, std::size_t end, std::size_t a
   return {replaced(points.start), replaced(points.end)};
 }
 
-/// The end comes to the other edge at this crossing.
+/// An end of an edge comes to the other edge at this crossing of its upright.
 struct Meeting {
   std::size_t end;
   PairResult crossing;
 
-  /// By the neighbouring doubles that integers would give, and by the edges of the pair.
+  /// The pair's answer: the bracket that integers would give, weights on its own edges; nothing if that is unproven.
   std::optional<PairResult> described(const PairPoints& points, std::size_t axis) const {
     const PairPoints upright = with_upright(points, end, axis);
     const auto time = decide_crossing_finely({PairKind::edge_edge, upright},

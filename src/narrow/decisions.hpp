@@ -1,5 +1,5 @@
-// What decide() tries of one pair, in its order (with a separation 4 comes before 3), until one of these decides it;
-// then integers (exact/exact.hpp).
+// The stages that decide() tries on one pair, in this order (with a separation 4 comes before 3), until one of them
+// decides it; if none does, integers do (exact/exact.hpp).
 #pragma once
 #include <optional>
 
@@ -15,8 +15,8 @@ namespace tamis {
 
 // 1. One crossing, or two in halves of the time: decided_by_crossings.cpp.
 
-/// Nothing where that takes more, or it is no crossing that decides the pair. A pair that is free until `latest` may
-/// be said to be free.
+/// Nothing where one or two crossings do not decide the pair, or where its distance does (is_about_distance). A pair
+/// that is free until `latest` may be said to be free.
 std::optional<PairResult> decided_by_crossings(const PairInStep& pair, double latest);
 
 /// Does the clip prove the pair free until `latest`?
@@ -24,14 +24,14 @@ inline bool is_proven_free(const TimeInterval<double>& clip, double latest) {
   return clip.t_in > clip.t_out || clip.t_in > latest;
 }
 
-// 2. Edges in a plane across an axis of coordinates: decided_in_plane.cpp.
+// 2. Edges in a plane orthogonal to a coordinate axis: decided_in_plane.cpp.
 
-/// Nothing of other pairs, and where these crossings do not decide it: of edges that touch at the start, or end to end.
+/// Nothing for other pairs, and where crossings do not decide: for edges that touch at the start, or end to end.
 std::optional<PairResult> decided_in_plane(const PairInStep& pair);
 
 // 3. Beginnings of the step, of a pair that goes far: pair_beginnings.cpp.
 
-/// What the pair does during the step, proven. Nothing where it does not go far, or doubles do not tell.
+/// What the pair does during the step, proven. Nothing where the pair does not go far, or doubles cannot tell.
 std::optional<Decision> decide_in_beginnings(const PairInStep& pair);
 
 // 4. Subdivision of the step, or with a separation advancement: decide_in_doubles.cpp.
@@ -47,20 +47,20 @@ inline bool is_sharp_answer(const Decision& d) { return d.is_free() || (d.touche
 
 // 5. The same in double-double: fine_crossing.cpp, fine_separation.cpp.
 
-/// Of a pair that touches by `coarse`: when it first does, between neighbouring doubles. Of one that is unsure there:
-/// whether it touches where the four points are coplanar, and when; in structured meshes most vertices that come to
-/// edges do so within rounding. Nothing where double-double proves neither, as where they touch exactly at a border.
-/// REQUIRES: a kind that can cross, no separation, sizes that are finite; `coarse` is not free, its times lie in [0,1].
-/// REQUIRES (not checked: exact): between these the pair touches, and not before; or, if `coarse` is unsure, it does
-/// not touch outside of them.
+/// If `coarse` says that the pair touches: when it first does, between neighbouring doubles. If `coarse` is unsure:
+/// whether the pair touches where its four points are coplanar, and when (in structured meshes most vertices that come
+/// to edges do so within rounding). Nothing where double-double proves neither, as where features touch exactly at a
+/// border. REQUIRES: a kind that can cross, no separation, sizes that are finite; `coarse` is not free, its times lie
+/// in [0,1]. REQUIRES (not checked: exact): the pair touches within these times, and not before; or, if `coarse` is
+/// unsure, it does not touch outside of these times.
 std::optional<Decision> decide_crossing_finely(const PairInStep& pair, const Decision& coarse);
 
-/// Touches between neighbouring doubles: the pair is apart until the first, and within its separation at the second.
-/// Nothing where double-double does not prove that. Costs some twelve thousand instructions. REQUIRES: sizes that
-/// are finite; the pair is apart on [0, bracket.t_in); the bracket lies in [0,1].
+/// A contact between neighbouring doubles: the pair is apart until the first, and within its separation at the second.
+/// Nothing where double-double does not prove that. Costs some twelve thousand instructions. REQUIRES: sizes that are
+/// finite; the pair is apart on [0, bracket.t_in); the bracket lies in [0,1].
 std::optional<Decision> first_within_finely(const PairInStep& pair, const TimeInterval<double>& bracket);
 
-// In place of all these, of a pair that is within its separation at t=0 where such contacts are ignored: recontact.cpp.
+// In place of all these stages, for a pair within its separation at t=0 where such contacts are ignored: recontact.cpp.
 
 /// Finds when the pair is first within its separation again after it has left it: free if it never leaves, or never
 /// comes back. Nothing where doubles cannot tell when, or whether, it leaves (docs/numerics.md, "Ignored at the

@@ -1,5 +1,5 @@
-// A crossing that doubles leave undecided, in double-double: when a pair touches that is known to, and whether a pair
-// touches that passes close to a border of its features. What exact algebra would answer, in a fraction of its time.
+// Decides in double-double a crossing that doubles leave undecided: when a pair touches that is known to, or whether a
+// pair touches that passes close to a border of its features. As exact algebra would, in a fraction of its time.
 #include <algorithm>
 #include <cmath>
 
@@ -20,21 +20,21 @@ struct FineRoot {
   double radius;
 };
 
-/// During a bracket in which the coplanarity has a slope of one sign.
+/// The crossing during a bracket in which the slope of the coplanarity has one sign.
 class FineCrossing {
  public:
-  /// `slope`: of the coplanarity during the bracket, the least; its sign.
+  /// `slope`: the least slope of the coplanarity during the bracket, with its sign.
   FineCrossing(const PairMotion<Fine>& fine, const PairMotion<double>& m, double slope)
       : fine_(fine),
         error_(error_bounds::bound<Fine>(error_bounds::kCoplanarityNow, fine.size_d * fine.size_e * fine.size_f)),
         cubic_(coplanarity_polynomial(m)),
         slope_(slope) {}
 
-  /// By Newton's method, from the middle of the bracket; nothing if it may lie outside. A root is no farther from t
-  /// than what the coplanarity is there, by the least slope.
+  /// The root, by Newton's method from the middle of the bracket; nothing if it may lie outside. A root is no farther
+  /// from t than the coplanarity at t divided by the least slope.
   std::optional<FineRoot> root(const TimeInterval<double>& bracket) const {
     constexpr int kMaxIterations = 4;
-    constexpr double kSharp = 0x1p-80;  // sides in double-double tell no more
+    constexpr double kSharp = 0x1p-80;  // a sharper root tells the inside test no more
     FineRoot root{bracket.t_in + 0.5 * (bracket.t_out - bracket.t_in), 1};
     for (int iterations = 1;; ++iterations) {
       const Fine value = coplanarity_at(root.time);
@@ -49,7 +49,7 @@ class FineCrossing {
   template <PairKind kind>
   crossing::Sides<Fine> sides(const FineRoot& root) const {
     const Vec3<Fine> n = cross(at_time(fine_.e, root.time), at_time(fine_.f, root.time));
-    return crossing::sides<kind>(fine_, n, root.time, Fine(2 * root.radius));  // it and its rounding
+    return crossing::sides<kind>(fine_, n, root.time, Fine(2 * root.radius));  // the radius and its rounding
   }
 
  private:
@@ -63,7 +63,7 @@ class FineCrossing {
   const double slope_;
 };
 
-/// Between the neighbouring doubles strictly between which the root is; nothing if it may be a double.
+/// A contact between the neighbouring doubles that enclose the root strictly; nothing if the root may be a double.
 std::optional<Decision> touches_around(const FineRoot& root) {
   const double before = root.time.low > 0 ? root.time.high : std::nextafter(root.time.high, -1.0);
   const double after = std::nextafter(before, 2.0);

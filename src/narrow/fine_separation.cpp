@@ -14,7 +14,7 @@ namespace {
 using Fine = DoubleDouble;
 using FineVec = Vec3<Fine>;
 
-/// 1 + x, x being some roundings.
+/// 1 + `roundings` u.
 Fine one_and(double roundings) { return {1, roundings * error_bounds::unit_roundoff<Fine>}; }
 
 /// The distance at one time, in double-double.
@@ -22,11 +22,11 @@ struct FineDistance {
   double time;
   FineVec e, f, d;
   ClosestPoints rough;  ///< the closest points in doubles
-  FineVec gap;          ///< of points whose weights are legal
+  FineVec gap;          ///< between points of the features: their weights are legal
   double excess;        ///< of the squared gap over the squared separation, not certified
 };
 
-/// Where closest points are found: in doubles, or where these are too coarse in double-double, at thrice the cost.
+/// The arithmetic that finds closest points: doubles, or where these are too coarse double-double, at thrice the cost.
 enum class WeightsIn { doubles, double_doubles };
 
 template <PairKind kind, WeightsIn weights>
@@ -59,8 +59,8 @@ class FineSearch {
   }
 
  private:
-  /// Points that only rounding keeps off a corner or a side, moved there: the axis would be that of the inside. Weights
-  /// on the side off the first corner add up to 1 exactly, others to less.
+  /// Moves points that only rounding keeps off a corner or a side there: else their axis would be that of the inside.
+  /// Afterwards weights on the side opposite the first corner add up to exactly 1, other weights to less.
   static ClosestPoints snapped(ClosestPoints p) {
     constexpr double kNear = 0x1p-44;
     for (double* weight : {&p.u, &p.v}) *weight = *weight < kNear ? 0 : *weight > 1 - kNear ? 1 : *weight;
@@ -86,7 +86,7 @@ class FineSearch {
     return s;
   }
 
-  /// Of the closest points, were they fixed.
+  /// The velocity of the gap between the closest points, were their weights fixed.
   Vec3<double> velocity(const ClosestPoints& p) const {
     return gap_at<kind>(m_.e.at1, m_.f.at1, m_.d.at1, p.u, p.v) - gap_at<kind>(m_.e.at0, m_.f.at0, m_.d.at0, p.u, p.v);
   }
@@ -97,8 +97,8 @@ class FineSearch {
     return least > Fine(0) && dot(s.gap, s.gap) * one_and(8) < least * least * one_and(-8);
   }
 
-  /// Certified, from `start` until then: along the axis of the closest points all corners lie beyond the separation at
-  /// the end, and have come nearer all that time.
+  /// Certified: the pair is apart from `start` until s.time. Along the axis of the closest points all corners lie
+  /// beyond the separation at s.time, and lay beyond it all the time since `start` (AxisClip::was_beyond).
   bool was_apart(const FineDistance& s, double start) const {
     const Fine zero(0);
     const FineVec axis = orthogonal_gap<kind>(s.e, s.f, ClosestPointsOf<Fine>{s.rough.u, s.rough.v, s.gap});

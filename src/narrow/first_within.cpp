@@ -12,8 +12,8 @@ namespace {
 
 /// Probes of one pair. Newton's method needs 3 to 8; a near miss by 1e-15 of the pair's size needs about 40.
 constexpr int kMaxProbes = 160;
-/// Probes that advance by so much of the step do not count: while a pair is farther apart than the separation by
-/// error_bounds::kAdvanceClearance, all of them do.
+/// Probes that advance by at least this part of the step do not count. While a pair's clearance exceeds
+/// error_bounds::kAdvanceClearance of its size, all probes advance that far.
 constexpr double kLeastProgress = error_bounds::kAdvanceClearance / 16;
 
 /// Advances through the step from its start. Until `at_.now` everything is decided.
@@ -43,7 +43,7 @@ class Advance {
   }
 
  private:
-  /// The pair is proven apart at `t`: everything up to the end of the proof is decided, or all but a gap before it.
+  /// The pair is proven apart at `t`: all is decided up to the end of the proof, but for a gap that may precede it.
   void advance(const ApartProof<double>& proof, double t) {
     const double since = t > at_.now ? probe_.clip().apart_since(t, proof.axis) : t;
     if (t > at_.now && since >= at_.now) {
@@ -74,18 +74,18 @@ class Advance {
     beyond_.reset();
   }
 
-  /// Times ascend.
+  /// Calls come in the order of time.
   void add_unsure(double until) { decision_.add_unsure(at_.now, until); }
 
   const SeparationProbe<kind, double> probe_;
   const double end_;
   Advancement<double> at_;
-  std::optional<TimeInterval<double>> beyond_;  ///< proven apart again, after times that are undecided
+  std::optional<TimeInterval<double>> beyond_;  ///< proven apart, after a gap from at_.now on that is undecided
   Decision decision_;
 };
 
 /// A time until which the pair is proven apart from `now` on; no later than `now` if nothing is proven. Rounding tilts
-/// the axis of a gap that is tiny beside its features, but at each time otherwise: so times a little later are tried.
+/// the axis of a gap that is tiny beside its features, differently at each time: so times a little later are tried.
 template <PairKind kind>
 double apart_from(const SeparationProbe<kind, double>& probe, double separation, double now) {
   constexpr double kClearlyApart = 1 + 0x1p-10;
@@ -94,7 +94,7 @@ double apart_from(const SeparationProbe<kind, double>& probe, double separation,
   double proven = probe.prove_apart(now, distance).until;
   if (!(distance.length > kClearlyApart * separation)) return proven;
   for (double part = 0x1p-20; !(proven > now) && part < 0x1p-4; part *= 4) {
-    const double later = std::min(now * (1 + part), 1.0);  // error bounds are of times in the step
+    const double later = std::min(now * (1 + part), 1.0);  // error bounds hold for times in the step
     const ApartProof<double> proof = probe.prove_apart(later, probe.distance_at(later));
     if (proof.until > later && probe.clip().apart_since(later, proof.axis) <= now) proven = proof.until;
   }

@@ -1,9 +1,9 @@
 // Minimum separation: when do two features first come within m.separation of each other? By advancement along
-// separating axes: at a time that is still in question the closest points give an axis that turns with the pair, and
-// the times it proves apart are known in closed form (narrow/advancement.hpp). The next time in question is where they
-// end: Newton's method on the distance, from the safe side (after conservative advancement, Mirtich 1996; Zhang, Lee,
-// Kim 2006, whose bound on the speed needs many more steps). Here one pair at a time, to the end; most have been
-// decided before, in lanes, by the same steps (kernels/advance_lanes.hpp).
+// separating axes: at a time still in question the closest points give an axis that turns with the pair, and the times
+// during which this axis proves the pair apart are known in closed form (narrow/advancement.hpp). The next time in
+// question is the end of these: Newton's method on the distance, from the safe side (after conservative advancement,
+// Mirtich 1996; Zhang, Lee, Kim 2006, whose bound on the speed needs many more steps). Here a single pair is followed
+// to the end; lanes have decided most pairs before, by the same steps (kernels/advance_lanes.hpp).
 #pragma once
 #include "motion/decision.hpp"
 #include "motion/pair_motion.hpp"
@@ -11,8 +11,9 @@
 
 namespace tamis {
 
-/// REQUIRES: `m` is the motion of the whole step, finite; `time` is a part of it. REQUIRES (not checked: exact): the
-/// pair is apart outside `time`. `touches`: at `upper` the distance is within the separation, certified.
+/// What the pair does during `time`. If it `touches`, the distance at `upper` is certified to be within the separation.
+/// REQUIRES: `m` is the motion of the whole step, finite; `time` is a part of the step. REQUIRES (not checked: exact):
+/// the pair is apart outside `time`.
 Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time);
 
 /// A time in [0,1] before which the pair is proven farther apart than its separation, as late as doubles can prove

@@ -20,14 +20,14 @@ using error_bounds::kRoundoff;
 /// To this fraction of itself the distance at t=0 must be known; else it is decided in integers.
 constexpr double kSharpEnough = 0x1p-20;
 
-/// In the unit of the motion, proven.
+/// Proven bounds, in the unit of the motion.
 struct StartBounds {
   double low, high;  ///< the distance at t=0
   double speed;      ///< at least the speed of any point of one feature against any of the other
 };
 
-/// A lower bound, beyond all rounding, of the distance at t=0: along the gap of the closest points, and where that says
-/// little, along that squared with the features, as a small gap is tilted by rounding.
+/// A lower bound, beyond all rounding, of the distance at t=0: along the gap of the closest points; where that says
+/// little, because rounding tilts a small gap, also along the gap made orthogonal to the features.
 template <PairKind kind>
 double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& closest) {
   constexpr double kSharp = 1 - 0x1p-40;
@@ -57,7 +57,7 @@ double kept(double distance, const PairMotion<double>& m, double fraction, int r
   return (m.separation + fraction * clearance) * (1 + rounding * 8 * kRoundoff);
 }
 
-/// Until when a pair without clearance at t=0 obeys the rule: not all of the step if it comes back at the end of it.
+/// Until when a pair without clearance at t=0 obeys the rule: less than 1 if it comes back, be it at t=1.
 double keeps_without_clearance_until(PairKind kind, const PairPoints& points, const DistanceRule& rule,
                                      PrecisionCount& decided_by) {
   if (!rule.ignores_start) return 0;
@@ -80,10 +80,10 @@ double keeps_distance_until(PairKind kind, const PairPoints& points, const Dista
   const double by_speed = is_sharp ? portion * (clearance / start.speed) * (1 - 4 * kRoundoff)
                                    : portion * apart_from_start(kind, points, rule.min_separation);
   until = std::min(until, 1.0);
-  // What stands still loses nothing, though rounding takes more than the part of its distance that it may lose.
+  // A pair that stands still loses nothing, even where rounding exceeds the part of its distance that it may lose.
   const bool stands_still = by_speed < until && points.start == points.end;
   if (by_speed == 0 && (rule.ignores_start || stands_still) &&
-      starts_within(kind, points, rule.min_separation))  // or it underflows
+      starts_within(kind, points, rule.min_separation))  // else by_speed has underflowed
     return keeps_without_clearance_until(kind, points, rule, decided_by);
   if (stands_still) return 1;
   if (by_speed == 0 || by_speed >= until) return std::min(by_speed, 1.0);

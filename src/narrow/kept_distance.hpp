@@ -25,8 +25,8 @@ struct DistanceRule {
 double keeps_distance_until(PairKind kind, const PairPoints& points, const DistanceRule& rule, double until,
                             PrecisionCount& decided_by);
 
-/// A time at which the pair is proven to have no more than the fraction left; 1 if that is not known of any.
-/// REQUIRES: `lower` in [0,1]. REQUIRES (not checked: history): as keeps_distance_until gave it.
+/// A time at which the pair is proven to have no more than the fraction left; 1 if no such time is known. REQUIRES:
+/// `lower` in [0,1]. REQUIRES (not checked: history): as keeps_distance_until gave it.
 double fraction_is_left_at(PairKind kind, const PairPoints& points, const DistanceRule& rule, double lower);
 
 /// The distance of the features at t=0, between proven bounds, in the unit of the positions. REQUIRES: finite

@@ -13,7 +13,7 @@ RestDistance<double> distance_at_start(const PairMotion<double>& m) {
   return rest_distance<kind>(m.e.at0, m.f.at0, m.d.at0, m.size_d + m.size_e + m.size_f);
 }
 
-/// Of known distance; `unit` as for near_direction.
+/// The NearPair of a known distance; `unit` as for near_direction.
 template <PairKind kind>
 NearPair described(const std::array<Index, 4>& vertices, double distance, double u, double v,
                    const Vec3<double>& unit) {

@@ -1,6 +1,6 @@
-// Pairs that move much farther than they and their gap are large: in the unit of the whole step rounding makes points
-// of them, which may have met at once. So beginnings of the step are decided, each longer than the one before and in
-// units of time and length of its own, until the features separate for good.
+// Decides pairs that move much farther than they and their gap are large: in the unit of the whole step rounding makes
+// points of their features, which may have met at once. So beginnings of the step are decided, each longer than the one
+// before and in its own units of time and length, until the features separate for good.
 #include <algorithm>
 #include <cmath>
 
@@ -13,8 +13,8 @@
 namespace tamis {
 namespace {
 
-/// The first beginning is 2^kDoublings times as long as the pair takes to go as far as it is large at the start, and
-/// each next one as the one before (docs/history/performance.md, "What is near at the start").
+/// In the first beginning the pair goes 2^kDoublings times as far as it is large at the start; each next beginning is
+/// 2^kDoublings times as long as the one before (docs/history/performance.md, "What is near at the start").
 constexpr int kDoublings = 5;
 
 /// The length of the first beginning, a power of two; 1 or more where the pair does not go far.
@@ -26,7 +26,7 @@ double first_length(const PairMotion<double>& m) {
   return std::ldexp(1, std::max(std::ilogb(size), kLeastExponent) + kDoublings);
 }
 
-/// During `time` of a beginning, apart before it.
+/// What the pair does during `time` of a beginning. REQUIRES (not checked: exact): it is apart before `time`.
 Decision decide_during(PairKind kind, const PairMotion<double>& beginning, const TimeInterval<double>& time) {
   const TimeInterval<double> clip = clipped(kind, beginning, time);
   const bool may_touch_at_start =
@@ -43,7 +43,7 @@ bool is_apart_from_end(PairKind kind, const PairMotion<double>& m) {
   });
 }
 
-/// A contact in a beginning of that length; nothing where its times underflow.
+/// A contact in a beginning of that length, at its times of the step; nothing where these underflow.
 std::optional<Decision> in_step(const Decision& contact, double length) {
   const Decision d{Verdict::touches, contact.lower * length, contact.upper * length};
   return d.lower / length == contact.lower && d.upper / length == contact.upper ? std::optional(d) : std::nullopt;
@@ -52,7 +52,7 @@ std::optional<Decision> in_step(const Decision& contact, double length) {
 }  // namespace
 
 std::optional<Decision> decide_in_beginnings(const PairInStep& pair) {
-  double from = 0;  // of a beginning: apart until then
+  double from = 0;  // a time of the beginning, before which the pair is apart
   for (double length = first_length(pair.motion); length < 1; length = std::ldexp(length, kDoublings)) {
     const auto beginning = make_beginning(pair, length);
     if (!beginning) return {};

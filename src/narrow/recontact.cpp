@@ -1,5 +1,5 @@
-// Recontact: a pair that is within its separation at t=0 may leave it and come back. In doubles; asked of each such
-// pair where contacts at the start are ignored.
+// Finds recontacts in doubles: a pair that is within its separation at t=0 may leave it and come back. Asked of each
+// such pair where contacts at the start are ignored.
 #include <algorithm>
 #include <cmath>
 
@@ -40,7 +40,7 @@ class Recontact {
     return {time, distance, probe_.touches(distance)};
   }
 
-  /// Certified.
+  /// Is the pair certified to be apart at that time?
   bool is_apart(const Probed& at) const { return probe_.prove_apart(at.time, at.distance).until > at.time; }
 
   /// An upper bound of the distance at `time`, from two points of the features with fixed weights. The vector between
@@ -68,7 +68,7 @@ class Recontact {
       const double first = last.distance.length - m_.separation, then = next.distance.length - m_.separation;
       const double part = std::clamp(first / (first - then), 0.125, 0.875);
       Probed now = probed_at((1 - part) * last.time + part * next.time);
-      // What parts steadily is at its separation there, neither within it nor proven apart.
+      // A pair that parts steadily is at its separation there, neither within it nor proven apart.
       if (!now.touches && !is_apart(now)) now = probed_at(0.5 * (now.time + next.time));
       if (probes == kMaxLeavingProbes || !(last.time < now.time && now.time < next.time)) return {};
       (now.touches ? last : next) = now;
@@ -78,7 +78,7 @@ class Recontact {
   }
 
   /// Is the distance proven to grow throughout? Then the pair leaves its separation once at most. Proof:
-  /// docs/numerics.md.
+  /// docs/numerics.md, "Ignored at the start".
   bool grows(double from, double until) const {
     const double middle = 0.5 * (from + until);
     const ClosestPoints closest = probe_.distance_at(middle).closest;
@@ -89,7 +89,7 @@ class Recontact {
     const double least =
         std::min(probe_.clip().distance_along(from, growth.n), probe_.clip().distance_along(until, growth.n));
     const double length = std::sqrt(dot(growth.n, growth.n)) * kUp;
-    // Of two unit vectors |a - b|^2 = 2 - 2 a.b. What is added covers the rounding here.
+    // Two unit vectors have |a - b|^2 = 2 - 2 a.b. The terms with 2^-46 cover the rounding here.
     growth.tilt = std::sqrt(2 * (1 - least / most) + 0x1p-46) * length;
     growth.reach = most * length * kUp;
     growth.sideways = std::sqrt((most - least) * (most + least) + 0x1p-46 * most * most);
@@ -104,14 +104,14 @@ class Recontact {
            });
   }
 
-  /// What is known of the direction of the closest points during a time, and of the point of the difference nearest to
-  /// zero.
+  /// What is known, during a time, of the direction between the closest points and of the nearest point: the point of
+  /// the Minkowski difference nearest to zero.
   struct Growth {
-    Vec3<double> n, turn;   ///< a direction, 1 its largest component, and how it should turn
-    double tilt = 0;        ///< the unit direction, times the length of n, differs from n by no more
-    double reach = 0;       ///< the distance, times the length of n, is no larger
+    Vec3<double> n, turn;   ///< a direction with the largest component 1, and the rate at which it should turn
+    double tilt = 0;        ///< the unit direction between closest points, times |n|, differs from n by no more
+    double reach = 0;       ///< the distance, times |n|, is no larger
     double sideways = 0;    ///< the nearest point is no farther from the line along n
-    double least_gain = 0;  ///< what turning with n can take from the gain of corners, and all rounding
+    double least_gain = 0;  ///< the most that turning with n, and all rounding, can take from a corner's gain
 
     /// Is the corner too far along the direction to take part in the nearest point?
     bool is_beyond(const Vec3<double>& corner, double size) const {

@@ -1,5 +1,5 @@
-// Lists of pairs that one question makes, with slack, for those that follow it. They choose which pairs are decided,
-// never what the answer is.
+// Lists of pairs that one query makes, with slack, for the queries that follow it. Lists choose which pairs are
+// decided; they never change the answer.
 #pragma once
 #include <algorithm>
 #include <limits>
@@ -18,9 +18,9 @@ struct Listing {
   Separations separations;
   double deviation = 0;  ///< vertices may be so far, along any axis, from where the step has them
   float until = 1;       ///< pairs that touch later are not listed
-  /// The most that it may cost (SearchWork::pairs), beside what the trees cost in any search.
+  /// The most that listing may cost (SearchWork::pairs), beside what the trees cost in any search.
   std::uint64_t most_work = std::numeric_limits<std::uint64_t>::max();
-  std::vector<Point> start = {}, end = {};  ///< memory of a step that was made for this
+  std::vector<Point> start = {}, end = {};  ///< the positions of `step`, if it was made for this listing
 };
 
 /// How long no lists are made after lists that cost more than they saved. Each pause is twice as long as the one
@@ -34,13 +34,13 @@ struct ListingPause {
   void lists_were_worth_it() { next = first; }
 };
 
-/// Derived classes say which queries the lists serve.
+/// Lists, and when they are made anew. Derived classes say which queries the lists serve.
 class KeptLists {
  public:
   virtual ~KeptLists() = default;
 
-  /// If the lists do not serve this query: what is worth listing for it and the next ones, if anything. Then the caller
-  /// adds those pairs to lists(), which are empty, and calls end_listing().
+  /// Asked when the lists do not serve this query: what is worth listing for it and the next ones, if anything. Then
+  /// the caller adds those pairs to lists(), which are empty, and calls end_listing().
   virtual std::optional<Listing> plan(const Query& query) = 0;
   /// Keeps the lists if they are complete, else drops them, as the pairs were too many.
   virtual void end_listing(bool is_complete) {

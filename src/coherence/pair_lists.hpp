@@ -1,4 +1,4 @@
-// Lists of pairs of features of any length, with the part of a step in which each pair may touch.
+// Lists, of any length, of pairs of features, each pair with the part of a step in which it may touch.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace tamis {
 
 struct Candidate {
   std::array<Index, 4> corners;  ///< as in PairBuffer
-  TimeInterval<float> time;      ///< it may touch
+  TimeInterval<float> time;      ///< when the pair may touch
 };
 
-/// Grows in parts that never move: what is there already costs nothing when a pair is added, or a list taken.
+/// Grows in parts that never move: adding a pair, or taking a list, copies no pairs that are there already.
 class PairList {
  public:
   bool empty() const;
-  /// Of at most 1024 pairs each.
+  /// The number of parts, of at most 1024 pairs each.
   std::size_t parts() const { return parts_.size(); }
   std::span<const Candidate> part(std::size_t i) const { return parts_[i]; }
 
@@ -37,7 +37,7 @@ class PairList {
   std::vector<std::vector<Candidate>> parts_;
 };
 
-/// Appends to `pairs` those of `listed` that may touch at some time of `when`; there their times are [0, t_limit].
+/// Appends to `pairs` those of `listed` that may touch at some time of `when`; in `pairs` their times are [0, t_limit].
 /// REQUIRES: room for all of them, times in order.
 void append(std::span<const Candidate> listed, const TimeInterval<float>& when, float t_limit, PairBuffer& pairs);
 

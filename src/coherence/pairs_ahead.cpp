@@ -10,16 +10,16 @@
 namespace tamis {
 namespace {
 
-/// Steps to predict: more after all predicted ones came, fewer where vertices deviate.
+/// How many steps to predict: more after all predicted ones came, fewer after vertices deviated.
 constexpr double kFewestSteps = 4, kFirstSteps = 8, kMostSteps = 32;
 /// Slack in mean edges: the least, which costs nothing, and the most, which limits how many steps are predicted.
 constexpr double kLeastSlackInEdges = 0x1p-12, kMostSlackInEdges = 0x1p-4;
-/// Deviation after one step with which kFewestSteps still need no more than the most slack.
+/// The largest deviation after one step with which kFewestSteps still need no more than the most slack.
 constexpr double kMostDeviationInEdges = kMostSlackInEdges / (kFewestSteps * kFewestSteps);
 /// Queries that lists must serve to be worth their cost.
 constexpr int kQueriesWorthLists = 2, kQueriesWorthListsOfOneStep = 1;
-/// Free queries in a row before lists are made for is_free: a step with a contact is found by a fraction of what lists
-/// cost, and those after it often have one too.
+/// Free queries in a row before lists are made for is_free: a search ends at a contact, at a fraction of what lists
+/// cost, and the steps after one with a contact often have one too.
 constexpr int kFreeWorthLists = 2;
 constexpr int kFirstPauseInQueries = 2;
 
@@ -41,7 +41,7 @@ PairsAhead::PairsAhead(const Mesh& mesh)
 bool PairsAhead::begin(const Query& query) {
   if (!are_listed_ || query.is_piece || query.separations.fixed > separation_) return false;
   if (!follows_prediction(query.step) || when_.t_in > listed_until_) return false;
-  // A first contact may lie within what is listed; all contacts do not.
+  // A first contact may lie within the times listed; all contacts need the whole step listed.
   if (query.question == Question::all_contacts && !covers(when_.t_out)) return false;
   next_.make(query.step, sample_, kFirstSteps);
   ++queries_served_;
@@ -84,9 +84,9 @@ std::optional<Listing> PairsAhead::plan(const Query& query) {
                  std::move(start), std::move(end)};
 }
 
-/// Plans lists for a step from the last query's start in the same direction, `length` times as long: for this step
-/// alone, and where only the first contact is asked for, until the time of the last query's. Returns false if that is
-/// unknown.
+/// Plans lists for a step from the last query's start in the same direction, `length` times as long. They are for this
+/// step alone, and where only the first contact is asked for, they end at the time of the last query's first contact.
+/// Returns false if that time is unknown.
 bool PairsAhead::plan_for_same_start(Question question, double length) {
   constexpr double kBeyond = 1 + 0x1p-10, kLeast = 0x1p-20;
   steps_listed_ = 1;
@@ -142,9 +142,9 @@ void PairsAhead::learn() {
   steps_ = have_all_come ? std::min(2 * steps_, kMostSteps) : std::max(steps_ / 2, kFewestSteps);
 }
 
-/// For is_free: the work of as many searches as were free in a row, so that lists cost no more than twice what is best
-/// in hindsight; more where more steps are predicted, since all predicted ones came before. No limit for the other
-/// questions, which search every step to its end: there lists that cost several searches have paid
+/// For is_free the work of as many searches as were free in a row, so that lists cost no more than twice what is best
+/// in hindsight; more where more steps are predicted, since then all predicted steps came before. No limit for the
+/// other questions, which search every step to its end: lists that cost as much as several searches have paid there
 /// (docs/history/performance.md, "Lists that cost too much").
 std::uint64_t PairsAhead::most_work(Question question) const {
   if (question != Question::is_free) return std::numeric_limits<std::uint64_t>::max();

@@ -10,13 +10,13 @@
 
 namespace tamis {
 
-/// About what a search has cost: of its trees, refitting and visiting, and of the pairs whose boxes met.
+/// About what a search has cost: for refitting and visiting its trees, and for the pairs whose boxes met.
 struct SearchWork {
   std::uint64_t trees = 0, pairs = 0;
 };
 
-/// Bounded memory: as many pairs as CandidateSearch lists, 24 bytes each, with room to grow to twice that; and
-/// positions.
+/// Memory is bounded: by the most pairs that CandidateSearch lists, 24 bytes each, with room to grow to twice that; and
+/// by positions.
 class PairsAhead final : public KeptLists {
  public:
   /// Keeps a reference.
@@ -26,7 +26,7 @@ class PairsAhead final : public KeptLists {
   bool begin(const Query& query);
   /// After the listed pairs have been decided: may another pair still touch, so that the trees must be searched?
   bool leaves_undecided(const ContactCollector& answer) const;
-  /// Lists are worth making if the query goes on as the last one did: of the step that is predicted then.
+  /// Lists are worth making if the query goes on as the last one did: the pairs of the step that is predicted then.
   std::optional<Listing> plan(const Query& query) override;
   void end_listing(bool is_complete) override;
   /// The times of the predicted step that this query covers.
@@ -48,21 +48,21 @@ class PairsAhead final : public KeptLists {
 
   const Mesh& mesh_;
   std::vector<Index> sample_;  ///< some vertices in use
-  PredictedStep next_;         ///< from the last query, of the sample
-  PredictedStep predicted_;    ///< the one that the lists are for, of all vertices in use
-  double slack_ = 0;           ///< how far vertices may deviate from it
-  double edge_ = 0;            ///< mean length, when last planned
+  PredictedStep next_;         ///< the step predicted from the last query, for the sample
+  PredictedStep predicted_;    ///< the predicted step that the lists are for, for all vertices in use
+  double slack_ = 0;           ///< how far vertices may deviate from predicted_
+  double edge_ = 0;            ///< the mean edge of the finest part, when lists were last planned
   double separation_ = 0;      ///< fixed separation of the query for which the lists were made
   TimeInterval<float> when_{};
   bool same_start_ = false;  ///< the lists are for one step, whose start is that of the query before
-  float listed_until_ = 1;   ///< time of the predicted step
+  float listed_until_ = 1;   ///< pairs are listed until this time of the predicted step
   std::optional<double> no_contact_before_ =
       1;                 ///< the last query's step is free until then, 1: to its end; nothing: unknown
   int free_in_row_ = 0;  ///< queries in a row without any contact
-  double steps_;         ///< to look ahead
+  double steps_;         ///< how many to predict
   double steps_listed_ = 0;
   SearchWork last_search_;  ///< of the last search of the trees that was not ended early
-  int queries_served_ = 0;  ///< by these lists
+  int queries_served_ = 0;  ///< how many queries these lists have served
 };
 
 }  // namespace tamis

@@ -12,10 +12,10 @@
 namespace tamis {
 namespace {
 
-/// Lists must serve displacements to come: those seen so far, of this start or the one before, times kFarther, plus
+/// Lists must also serve larger displacements: kFarther times those seen so far from this start or the one before, plus
 /// kExtra times the mean displacement.
 constexpr double kFarther = 1.5, kExtra = 0.5;
-/// A length above all whose squares underflow.
+/// Longer than every length whose square underflows.
 constexpr double kLeastLength = 0x1p-500;
 
 /// An upper bound of how far the vertex moves.
@@ -69,7 +69,7 @@ bool PairsNearStart::has_same_start(const Step& step) const {
 
 /// A pair that is not listed is farther apart than separations(), so its clearance exceeds the sum of both
 /// displacements over (1 - fraction), and more than `fraction` of it is left. A feature's listing radius is at least
-/// its search radius plus its contact radius, even where these are those of two vertices (neighbourhood_maximum).
+/// its search radius plus its contact radius, even if different vertices give these (neighbourhood_maximum).
 bool PairsNearStart::covers(const Query& query) const {
   if (query.separations.fixed > separation_ || query.separations.radii.data() != radii_) return false;
   return all_in_parts(mesh_.points(), kVerticesPerPart, [&](Index v) {

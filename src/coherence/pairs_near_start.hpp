@@ -16,10 +16,10 @@ class PairsNearStart final : public KeptLists {
   /// Keeps a reference.
   explicit PairsNearStart(const Mesh& mesh) : KeptLists({.first = 1}), mesh_(mesh) {}
 
-  /// Begins a question; `lists_all`: for every pair that ends the step, which a truncation asks after one for a step
-  /// for all. Returns true if the lists hold all pairs that may.
+  /// Begins a question. `lists_all`: it asks for every pair that ends the step, as a truncation does after it has asked
+  /// for one step length for all. Returns true if the lists hold all pairs that may end the step.
   bool begin(const Query& query, double fraction, bool lists_all);
-  /// In a truncation lists are worth making if this start will be truncated again: of pairs that are near there.
+  /// In a truncation, if this start will be truncated again, the pairs near at the start are worth listing.
   std::optional<Listing> plan(const Query& query) override;
   void end_listing(bool is_complete) override;
   std::uint64_t memory_bytes() const {
@@ -37,15 +37,17 @@ class PairsNearStart final : public KeptLists {
   /// The largest displacement of each vertex from this start (in all questions but the first) and from the start
   /// before.
   std::vector<double> displacements_, previous_displacements_;
-  /// Of each vertex: pairs farther apart than both radii are not listed. It may move by (1 - fraction) of it.
+  /// Of each vertex: pairs farther apart than both features' radii are not listed. It may move by 1 - fraction of its
+  /// own.
   std::vector<double> search_radii_;
   std::vector<double> listing_radii_;  ///< search_radii_ plus the largest contact radius among the vertex' features
   const double* radii_ = nullptr;      ///< the query's when the lists were made
   double separation_ = 0;
-  double fraction_ = 0;      ///< of the distance that is to be kept, as the last question asks
-  bool lists_all_ = false;   ///< it asks for every pair
+  double fraction_ = 0;      ///< the part of the distance that the last question wants kept
+  bool lists_all_ = false;   ///< the last question asks for every pair
   bool same_start_ = false;  ///< the last question has the start of the one before it
-  // Lists pay from the second truncation of a start on: is there one from this start, and was there from the last two?
+  // Lists pay from a start's second truncation on: has this start had one, has it had two, and had the last two starts
+  // two?
   bool is_truncated_ = false, is_truncated_again_ = false;
   std::array<bool, 2> were_truncated_again_{};
 };

@@ -1,4 +1,4 @@
-// A step predicted from the last one: where vertices will be if they go on so for several steps.
+// A step predicted from the last one: where vertices will be if they go on like that for several steps.
 #pragma once
 #include <optional>
 #include <span>
@@ -28,7 +28,7 @@ class PredictedStep {
   /// finite, or if `step` goes backwards.
   /// REQUIRES: positions of the vertices it was made for.
   std::optional<Fit> fit(const Step& step, double most) const;
-  /// Start and end of the predicted step, of `count` vertices: those it was not made for are anywhere.
+  /// Start and end of the predicted step, of `count` vertices: those that make() was not given are anywhere.
   struct Ends {
     std::vector<Point> start, end;
   };
@@ -40,7 +40,7 @@ class PredictedStep {
   std::optional<double> deviation(const Positions& positions, double t, double most) const;
 
   std::span<const Index> vertices_;
-  std::vector<Point> from_, to_;  ///< of those
+  std::vector<Point> from_, to_;  ///< of vertices_
 };
 
 }  // namespace tamis

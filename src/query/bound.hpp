@@ -1,4 +1,4 @@
-// What all threads know of the answer to a query, which spares them parts of the search.
+// What the threads of a query share of its answer, so that they spare each other parts of the search.
 #pragma once
 #include <atomic>
 

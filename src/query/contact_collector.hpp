@@ -1,4 +1,4 @@
-// Where decided pairs become answers: it collects all contacts, those that may be the first, or one.
+// Makes answers of decided pairs: collects all contacts, those that may be the first, or one.
 #pragma once
 #include <vector>
 
@@ -22,7 +22,7 @@ inline Contact contact_of(PairKind kind, const PairVertices& vertices, const Pai
 /// Updates `first` by a contact: the earliest toi_lower with its contact, and the earliest certain toi_upper.
 void keep_first(EarliestContact& first, const Contact& contact);
 
-/// Singly: by decide() on the whole step.
+/// How a pair was decided. singly: by decide() on the whole step.
 enum class DecidedBy { lanes, singly };
 
 /// One per thread, and one for the answer. The answer does not depend on the order of contacts, nor on which thread
@@ -57,7 +57,7 @@ class ContactCollector {
   EarliestContact first();
   /// all_contacts: a time by which some pair has touched; 1 if none is known to.
   double touched_by() const { return touched_by_; }
-  /// Pairs that it has decided itself.
+  /// Counts the pairs that the collector has decided itself.
   const PrecisionCount& decided_by() const { return decided_by_; }
   /// Pairs that touch at t=0 and do not count.
   std::uint64_t ignored() const { return ignored_; }
@@ -78,7 +78,7 @@ class ContactCollector {
   const Query* query_ = nullptr;
   Bound* bound_ = nullptr;
   std::vector<Contact> contacts_;  ///< earliest: those not yet decided singly
-  EarliestContact first_;          ///< of those that are
+  EarliestContact first_;          ///< the first of those decided singly
   double touched_by_ = 1;
   PrecisionCount decided_by_;
   std::uint64_t ignored_ = 0;

@@ -32,15 +32,15 @@ class Engine {
   virtual SafeStep find_step_length(const Query& query, double fraction, Statistics& statistics) = 0;
 
   /// Every pair that is not proven to keep the fraction during the whole step, by kind, then vertices, with the time
-  /// until which it is. Pairs without a vertex of query.changed may be left out. REQUIRES: 0 < fraction < 1.
+  /// until which it is proven to. Pairs without a vertex of query.changed may be left out. REQUIRES: 0 < fraction < 1.
   virtual void find_step_ends(const Query& query, double fraction, std::vector<StepLimit>& ends,
                               Statistics& statistics) = 0;
 
   /// Every pair within its separation in this pose, by kind, then vertices.
   virtual void find_near(const Query& query, std::vector<NearPair>& pairs, Statistics& statistics) = 0;
 
-  /// Every edge that passes through a face in this pose, by edge, then the face's vertices; `is_free`: some, if there
-  /// are any.
+  /// Every edge that passes through a face in this pose, by edge, then the face's vertices; for `is_free` at least one,
+  /// if there is any.
   virtual void find_intersections(const Query& query, std::vector<Intersection>& found, Statistics& statistics) = 0;
 
   /// Bytes held in the hierarchy and buffers.

@@ -8,7 +8,7 @@
 namespace tamis {
 namespace {
 
-/// With more vertices a pair the counters would be most of the work: then a comparison sort.
+/// With more vertices for each pair than this, a comparison sort: counters would be most of the work.
 constexpr std::size_t kVerticesPerPair = 8;
 
 /// Sorts runs of pairs that differ in the last vertex alone.

@@ -9,7 +9,7 @@
 namespace tamis {
 
 /// Sorts pairs of one kind by their vertices; keeps its scratch memory from call to call. Runs in the caller's oneTBB
-/// arena. Calls `pause` now and then, from several threads; an exception of that ends the sort.
+/// arena. Calls `pause` now and then, from several threads; an exception from `pause` ends the sort.
 class ProximityOrder {
  public:
   void sort(

@@ -34,8 +34,8 @@ struct Query {
   bool depends_on_pair_alone = false;
   /// The step is a piece of a path: the next one has other radii, so nothing is listed ahead.
   bool is_piece = false;
-  /// Of each vertex, not 0: pairs with no such vertex are known, and may be left out of the answer. Empty: none is. Of
-  /// find_step_ends alone.
+  /// For find_step_ends alone, one a vertex: pairs all of whose vertices have 0 are known already, and may be left out
+  /// of the answer. Empty: no pair is known.
   std::span<const std::uint8_t> changed = {};
 
   /// The rule by which a pair is decided in questions that keep a fraction of distances.

@@ -22,13 +22,13 @@ struct StepLimit {
     if (other.time < 1 && other.key() < key()) *this = other;
   }
 
-  /// Can no other pair with these vertices (by default: of that kind) end the step first? This one ends it at t=0, and
-  /// comes before that one in the order of contacts.
+  /// Is it certain that no pair of the other kind with these vertices (by default: with any) ends the step first? It is
+  /// if this pair ends the step at t=0, and comes before that one in the order of contacts.
   bool rules_out(PairKind other_kind, const PairVertices& others = {}) const {
     return time == 0 && key() < StepLimit{0, other_kind, others}.key();
   }
 
-  /// As an answer to safe_step, with the time by which the pair is proven to end the step, and where it starts.
+  /// The answer to safe_step: this pair's time, the time by which it is proven to end the step, and the pair at t=0.
   SafeStep answer(const Query& query, double fraction) const {
     if (time == 1) return {};
     const DistanceRule rule = query.distance_rule_for(kind, vertices, fraction);

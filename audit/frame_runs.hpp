@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "audit/frame_source.hpp"
+#include "audit/options.hpp"
 
 namespace tamis::audit {
 

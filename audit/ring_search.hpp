@@ -3,6 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "audit/findings.hpp"
+
 namespace tamis::audit {
 
 /// Breadth-first from one feature, no farther than a limit. Pairs that follow each other with the same first feature,

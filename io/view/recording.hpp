@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tamis/detector.hpp"
+
 namespace tamis::io {
 
 /// The answer to one step.

@@ -113,9 +113,9 @@ void PairsAhead::end(const ContactCollector& answer, const SearchWork& work) {
   const Question question = answer.query().question;
   no_contact_before_ = answer.bound().latest();
   if (question == Question::all_contacts) no_contact_before_ = std::min(*no_contact_before_, answer.touched_by());
-  if (question == Question::is_free && !answer.contacts().empty()) no_contact_before_.reset();
+  const bool ended_early = question == Question::is_free && !answer.contacts().empty();  // sooner or later, by chance
+  if (ended_early) no_contact_before_.reset();
   free_in_row_ = no_contact_before_ && *no_contact_before_ >= 1 ? free_in_row_ + 1 : 0;
-  const bool ended_early = question == Question::is_free && !answer.contacts().empty();  // at once, or by chance later
   if (!are_listed_ && !ended_early) last_search_ = work;
 }
 

@@ -20,8 +20,8 @@ class PredictedStep {
     double deviation;   ///< no vertex, at any time, is farther from where it is predicted at the matching time
   };
 
-  /// Predicts `steps` more steps of the same displacements, as one straight step, for some of the vertices. Keeps the
-  /// span `vertices`.
+  /// Predicts `steps` steps of these displacements, `step` being the first, as one straight step, for some of the
+  /// vertices. Keeps the span `vertices`.
   void make(const Step& step, std::span<const Index> vertices, double steps);
   bool is_made() const { return !from_.empty(); }
   /// How `step` follows the prediction. Nothing if no step was predicted, if the deviation exceeds `most` or is not

@@ -67,7 +67,7 @@ Index RigidPath::vertex_count() const { return static_cast<Index>(motion_->rest.
 
 namespace {
 
-/// Calls f(i, body) for each place in `vertices`; before, whenever the body changes, begin(body).
+/// Calls f(i, v) for each place i in `vertices` and the vertex v there; before, whenever the body changes, begin(body).
 template <class Begin, class F>
 void for_each_of_body(std::span<const Index> vertices, const std::vector<Index>& body_of_vertex, const Begin& begin,
                       const F& f) {

@@ -88,4 +88,12 @@ decltype(auto) with_kind(PairKind kind, const F& f) {
   return f(std::integral_constant<PairKind, PairKind::vertex_vertex>{});
 }
 
+/// The same of the kinds that can cross, so that f compiles for these alone. REQUIRES: one of them.
+template <class F>
+decltype(auto) with_crossing_kind(PairKind kind, const F& f) {
+  TAMIS_ASSERT(can_cross(kind));
+  if (kind == PairKind::vertex_face) return f(std::integral_constant<PairKind, PairKind::vertex_face>{});
+  return f(std::integral_constant<PairKind, PairKind::edge_edge>{});
+}
+
 }  // namespace tamis

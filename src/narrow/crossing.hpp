@@ -65,7 +65,7 @@ struct CrossingSearch {
     for (T& c : k) c = select(rises, -c, c);
     keeps_sign = (k[0] > end) & (k[1] > middle) & (k[2] > middle) & (k[3] > end);  // DNF
     falls_once = (k[0] > end) & (k[3] < -end) & ((k[1] > middle) | (k[2] < -middle));
-    k[0] = select(falls_once, k[0], T(1));  // the others solve 1 - 2t, and are not used
+    k[0] = select(falls_once, k[0], T(1));  // the others get ends that bracket, and their roots are not used
     k[3] = select(falls_once, k[3], T(-1));
   }
 

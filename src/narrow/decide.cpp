@@ -15,9 +15,8 @@ namespace {
 
 constexpr TimeInterval<double> kWholeStep{0, 1};
 
-/// What doubles leave undecided, again: other units of time and length, or of precision. Nothing where these do not
-/// decide it.
-std::optional<Decision> decide_again(const PairInStep& pair, const Decision& d) {
+/// In double-double, what doubles leave undecided by `d`. Nothing where that does not decide it.
+std::optional<Decision> decide_finely(const PairInStep& pair, const Decision& d) {
   if (!is_finite(pair.motion)) return {};
   if (!is_about_distance(pair.kind, pair.separation)) return decide_crossing_finely(pair, d);
   if (pair.separation == 0 || !d.touches()) return {};
@@ -65,7 +64,7 @@ PairResult decide_further(const PairInStep& pair, PrecisionCount& decided_by, do
   }
   const auto clip = clipped(pair.kind, pair.motion, kWholeStep);
   auto decision = is_proven_free(clip, latest) ? Decision{} : decide_by_doubles(pair, clip);
-  if (decision && !is_sharp_answer(*decision)) decision = decide_again(pair, *decision);
+  if (decision && !is_sharp_answer(*decision)) decision = decide_finely(pair, *decision);
   ++(decision ? decided_by.scalar : decided_by.exact);
   if (!decision) decision = decide_exactly(pair.kind, pair.points, pair.separation);
   return decision->lower > latest ? PairResult{} : described(pair, *decision);

@@ -100,8 +100,7 @@ Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m, const Tim
   if (!is_finite(m)) return {Verdict::unsure, time.t_in, time.t_out};
   TAMIS_ASSERT(is_whole(m) && is_part_of_step(time));
   if (is_about_distance(kind, m.separation)) return first_within(kind, m, time);
-  return restricted_to(time, kind == PairKind::vertex_face ? subdivide<PairKind::vertex_face>(m, widened(time))
-                                                           : subdivide<PairKind::edge_edge>(m, widened(time)));
+  return with_crossing_kind(kind, [&](auto k) { return restricted_to(time, subdivide<k()>(m, widened(time))); });
 }
 
 }  // namespace tamis

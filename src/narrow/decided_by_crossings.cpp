@@ -32,8 +32,7 @@ std::optional<PairResult> decided_by_crossings(const PairMotion<double>& m, doub
 
 std::optional<PairResult> decided_by_crossings(const PairInStep& pair, double latest) {
   if (is_about_distance(pair.kind, pair.separation) || !is_finite(pair.motion)) return {};
-  return pair.kind == PairKind::vertex_face ? decided_by_crossings<PairKind::vertex_face>(pair.motion, latest)
-                                            : decided_by_crossings<PairKind::edge_edge>(pair.motion, latest);
+  return with_crossing_kind(pair.kind, [&](auto kind) { return decided_by_crossings<kind()>(pair.motion, latest); });
 }
 
 }  // namespace tamis

@@ -85,8 +85,7 @@ std::optional<Decision> decide_crossing_finely(const PairInStep& pair, const Dec
   const auto root = crossing.root(around);
   if (!root) return {};
   if (coarse.touches()) return touches_around(*root);
-  const auto sides = pair.kind == PairKind::vertex_face ? crossing.sides<PairKind::vertex_face>(*root)
-                                                        : crossing.sides<PairKind::edge_edge>(*root);
+  const auto sides = with_crossing_kind(pair.kind, [&](auto kind) { return crossing.sides<kind()>(*root); });
   if (sides.outside) return Decision{};
   return sides.inside ? touches_around(*root) : std::nullopt;
 }

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/axis_clip.hpp"
+#include "distance/closest.hpp"
 #include "motion/pair_kinds.hpp"
 #include "motion/polynomials.hpp"
-#include "narrow/advancement.hpp"
 #include "narrow/decisions.hpp"
 #include "numerics/assert.hpp"
 
@@ -38,8 +39,8 @@ Decision decide_during(PairKind kind, const PairMotion<double>& beginning, const
 bool is_apart_from_end(PairKind kind, const PairMotion<double>& m) {
   TAMIS_ASSERT(is_finite(m));
   return with_kind(kind, [&](auto k) {
-    const SeparationProbe<k(), double> probe(m);
-    return probe.clip().recedes_along(1, probe.distance_at(1).closest.gap);
+    const auto closest = closest_points<k()>(m.e.at1, m.f.at1, m.d.at1);
+    return AxisClip<k(), double>(m).recedes_along(1, closest.gap);
   });
 }
 

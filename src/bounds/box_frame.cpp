@@ -14,7 +14,7 @@ namespace {
 /// 2^-23: the roundings listed at BoxFrame::margin sum to under half of it.
 constexpr float kRounding = 0x1p-23f;
 
-/// Where some vertices start and where they end, and how many they are.
+/// The boxes of some vertices at both ends of the step, and how many vertices they hold.
 struct Ends {
   Box start, end;
   std::size_t count = 0;
@@ -26,7 +26,7 @@ struct Ends {
   }
 };
 
-/// Of those vertices of which is_one(start, end) holds.
+/// Of the vertices for which is_one(start, end) holds.
 template <class F>
 Ends ends_of(const Step& step, std::span<const Index> used, const F& is_one) {
   const auto join = [](const Ends& a, const Ends& b) {
@@ -40,17 +40,17 @@ Ends ends_of(const Step& step, std::span<const Index> used, const F& is_one) {
   });
 }
 
-/// The frame moves with what it holds where that makes it so many times narrower, which is three bits of every
-/// coordinate. (Where it gained less it would only change the last digits of answers.)
+/// The frame moves with its vertices where that makes it this many times narrower, which gains three bits of every
+/// coordinate. (A smaller gain would only change the last digits of answers.)
 constexpr double kMuchNarrower = 8;
 
-/// Half of the frame's width, and where it lies: not yet its scale.
+/// Half of the frame's width, and its middle at both ends of the step; the scale follows from these.
 struct Extent {
   double half;
   Point middle, middle_at_end;
 };
 
-/// A frame that moves makes everything else sweep over it, so it does so only with most of the scene.
+/// The frame moves only if most of the scene moves with it; everything else would sweep across it.
 Extent extent_of(const Ends& ends, std::size_t vertices) {
   const Box both = joined(ends.start, ends.end);
   const double half = std::max(ends.start.half_width(), ends.end.half_width());
@@ -59,11 +59,11 @@ Extent extent_of(const Ends& ends, std::size_t vertices) {
   return {both.half_width(), both.middle(), both.middle()};
 }
 
-/// Of the vertices about the finest place, if that is so many times narrower than `all`; else `all`. It is no narrower
-/// than the separation, by which all boxes are widened.
+/// The extent of the vertices near the finest place, if it is kNarrower times narrower than `all`; else `all`. Its half
+/// width is no less than the separation, half of which widens all boxes.
 Extent extent_of_finest(const Step& step, std::span<const Index> used, double min_separation, const Extent& all) {
   constexpr double kNarrower = 64;  // six bits of the 17 that kLaterMargin leaves
-  constexpr double kMost = 16;      // of an even cloud the farthest is at two or three medians
+  constexpr double kMost = 16;      // in an even cloud the farthest vertex is at two or three times the median
   const std::optional<FinePlace> place = place_finer_than(all.half / kNarrower, step, used);
   if (!place) return all;
   const auto is_near = [&](const double* start, const double* end) {
@@ -74,7 +74,7 @@ Extent extent_of_finest(const Step& step, std::span<const Index> used, double mi
   return 0 < finest.half && finest.half < all.half / kNarrower ? finest : all;
 }
 
-/// (to - from) scale, in the order in which neither overflows, nor loses more than underflows.
+/// (to - from) scale, in the order that neither overflows nor loses more than what underflows.
 double scaled_difference(double to, double from, double scale) {
   return scale < 1 ? to * scale - from * scale : (to - from) * scale;
 }

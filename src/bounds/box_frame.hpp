@@ -1,4 +1,4 @@
-// The common frame in which boxes are floats: where it lies, and what its rounding may hide.
+// The common frame in which boxes are floats: its origin and scale, and how much rounding in it may hide.
 #pragma once
 #include <array>
 #include <span>
@@ -18,8 +18,8 @@ struct BoxFrame {
   std::array<double, 3> origin, origin_at_end;
   double scale;
   double widening;  ///< the scene's width at t=1 over that at t=0; NaN if it is a point at both
-  /// Does it hold the finest part of the scene, and leave what is far wider outside? What rounding hides of such an
-  /// outlier grows with its coordinates, and is added to its radius (kOutlierMargin).
+  /// Does the frame hold only the finest part of the scene? Vertices that are far away lie outside, as outliers.
+  /// Rounding hides more of an outlier the larger its coordinates are; that is added to its radius (kOutlierMargin).
   bool has_outliers;
   /// Added on each side of a box: rounding to float is off by 2^-25, the subtraction by 2^-53, and the box's own
   /// subtraction of the margin by 2^-25; plus half the fixed separation. A vertex' radius comes on top.
@@ -29,29 +29,29 @@ struct BoxFrame {
   /// is larger by 2^-22, which covers the distance compared, but is subtracted from the earlier one. Twice the radii
   /// come on top where there are outliers, for the same reason.
   static constexpr float kBlur = 0x1p-21f;
-  /// The same for residuals, times the residual: rounding to float is off by 2^-24 of it, the box's own subtraction by
-  /// as much.
+  /// The relative margin of boxes of residuals, times the residual: rounding to float is off by 2^-24 of it, the box's
+  /// own subtraction by as much.
   static constexpr float kRelativeMargin = 0x1p-22f;
-  /// And added to that: the speed of a single pair (narrow/kept_distance.hpp) is rounded up by at most 2 * 40 * 2^-53
-  /// of its three sizes, each at most 2 here: below 2^-44, and two boxes' margins add up. No bound from boxes may be
-  /// sharper.
+  /// Added to that, the absolute margin: the speed of a single pair (narrow/kept_distance.hpp) is rounded up by at most
+  /// 2 * 40 * 2^-53 of its three sizes, each at most 2 here: below 2^-44, and two boxes' margins add up. No bound from
+  /// boxes may be sharper than that speed.
   static constexpr float kLeastMargin = 0x1p-44f;
-  /// What rounding hides of an outlier, times its largest coordinate and its radius together: rounding to float is off
-  /// by 2^-24 of it, the box's own subtraction by as much, and on an axis with m components 1 or -1 (load_box_motion)
-  /// a vertex by sqrt(m) 2^-24 of the axis' length.
+  /// What rounding hides of an outlier, relative to the sum of its largest coordinate and its radius: rounding to float
+  /// is off by 2^-24 of it, the box's own subtraction by as much, and on an axis with m components 1 or -1
+  /// (load_box_motion) a vertex by sqrt(m) 2^-24 of the axis' length.
   static constexpr float kOutlierMargin = 0x1p-22f;
-  /// Beyond it, where floats would not hold squares, all is hidden: such a vertex may be anywhere.
+  /// A vertex with coordinates beyond this, where floats would not hold squares, may be anywhere.
   static constexpr double kFarthest = 0x1p40;
 
-  /// Where a vertex starts, and how far it goes during the step in this frame.
+  /// Where a vertex starts, and its displacement during the step, in this frame.
   Vec3<double> place(const PackedVertex& vertex) const;
   Vec3<double> displacement(const PackedVertex& vertex) const;
-  /// A distance in the frame, rounded up with room for what is added to it; no more than it takes that two boxes, each
-  /// widened by it, meet wherever they are.
+  /// A distance in box coordinates, rounded up with room for later additions; capped where two boxes that are each
+  /// widened by it meet wherever they are.
   float distance(double distance) const;
 };
 
-/// Of the vertices `used`, or of the finest of them (fine_place.hpp), and boxes widened by half the separation.
+/// The frame of the vertices `used`, or of the finest of them (fine_place.hpp). Half the separation widens boxes.
 BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_separation);
 
 }  // namespace tamis

@@ -9,7 +9,7 @@ namespace {
 using Vec = Vec3<double>;
 using Columns = std::array<Vec, 3>;
 
-/// Of I + t G.
+/// Columns of I + t G.
 Columns columns_at(const DisplacementGradient& g, double t) {
   const auto& [a, b, c] = g.rows;
   return {{{1 + t * a.x, t * b.x, t * c.x}, {t * a.y, 1 + t * b.y, t * c.y}, {t * a.z, t * b.z, 1 + t * c.z}}};
@@ -21,7 +21,7 @@ SymmetricMatrix product(const Columns& a, const Columns& b) {
   return {mean(0, 0), mean(1, 1), mean(2, 2), mean(0, 1), mean(0, 2), mean(1, 2)};
 }
 
-/// Are all eigenvalues above `bound`? By the pivots of Gauss' elimination.
+/// Are all eigenvalues above `bound`? All pivots of Gauss' elimination on m - bound I must be positive.
 bool exceed(const SymmetricMatrix& m, double bound) {
   const double first = m.xx - bound;
   if (!(first > 0)) return false;
@@ -30,9 +30,9 @@ bool exceed(const SymmetricMatrix& m, double bound) {
   return m.zz - bound - m.xz * m.xz / first - side * side / second > 0;
 }
 
-/// A lower bound of the eigenvalues and of `most`, to 2^-12. Elimination that ends with positive pivots proves what it
-/// says up to a few roundings of the trace (Higham, Accuracy and Stability of Numerical Algorithms, theorem 10.3), of a
-/// matrix whose norm is below 2^10 far below 2^-30; others give 0.
+/// A lower bound of `most` and all eigenvalues, within 2^-12 of `most`. Positive pivots prove this up to a few
+/// roundings of the trace (Higham, Accuracy and Stability of Numerical Algorithms, theorem 10.3), far below 2^-30 for a
+/// matrix whose norm is below 2^10; for others the bound is 0.
 double least_eigenvalue(const SymmetricMatrix& m, double most) {
   if (!(m.xx + m.yy + m.zz < 0x1p10)) return 0;
   if (exceed(m, most)) return std::max(most - 0x1p-30, 0.0);
@@ -44,7 +44,7 @@ double least_eigenvalue(const SymmetricMatrix& m, double most) {
   return std::max(low - 0x1p-30, 0.0);
 }
 
-/// Gershgorin: rows of |m|.
+/// Gershgorin: the largest row sum of |m|.
 double greatest_eigenvalue(const SymmetricMatrix& m) {
   const double xy = std::fabs(m.xy), xz = std::fabs(m.xz), yz = std::fabs(m.yz);
   return std::max({m.xx + xy + xz, m.yy + xy + yz, m.zz + xz + yz});
@@ -61,8 +61,9 @@ Columns inverse(const SymmetricMatrix& m) {
 
 }  // namespace
 
-/// |(I + t G) x|^2 is quadratic in t: in each part of the time at least the least of its Bernstein coefficients; and
-/// convex, so largest at an end. Mostly the last part has the least, and the others are found to exceed it at once.
+/// |(I + t G) x|^2 is a quadratic in t: in each part of the time it is at least the least of its Bernstein
+/// coefficients. It is convex, so largest at an end. Parts come last first: mostly the last has the least, and one test
+/// shows that others exceed it.
 StretchBounds stretch_bounds(const DisplacementGradient& gradient) {
   constexpr int kParts = 4;
   double least = 1;
@@ -79,7 +80,7 @@ StretchBounds stretch_bounds(const DisplacementGradient& gradient) {
 }
 
 GradientFit fit_gradient(const PackedMotion& motion, std::span<const Index> vertices, std::size_t stride) {
-  constexpr double kRidge = 0x1p-20;  // what lies in a plane, or on a line, has no gradient out of it
+  constexpr double kRidge = 0x1p-20;  // points in a plane, or on a line, tell no gradient out of it
   double count = 0;
   Vec places{}, displacements{};
   SymmetricMatrix squares;
@@ -101,7 +102,7 @@ GradientFit fit_gradient(const PackedMotion& motion, std::span<const Index> vert
   result.mean_displacement = (1 / count) * displacements;
   squares.add_square(result.mean_position, -count);
   const double ridge = kRidge * (squares.xx + squares.yy + squares.zz);
-  if (!(ridge > 0)) return result;  // a point turns as one likes
+  if (!(ridge > 0)) return result;  // any gradient fits a point
   for (double* diagonal : {&squares.xx, &squares.yy, &squares.zz}) *diagonal += ridge;
   const DisplacementGradient solve{inverse(squares)};
   const std::array<double, 3> displacement{result.mean_displacement.x, result.mean_displacement.y,

@@ -16,10 +16,10 @@ double largest_difference(const double* a, const double* b) {
 
 constexpr std::size_t kFewestVertices = 64;
 
-/// Some vertices, and the distances to the vertices next by number.
+/// A sample of the vertices, each with its distance to the next vertex by number.
 class SomeVertices {
  public:
-  /// So few that looking at them takes a hundredth of a question. REQUIRES: kFewestVertices or more.
+  /// The sample is so small that its cost is a hundredth of a question's. REQUIRES: kFewestVertices or more.
   SomeVertices(const Step& step, std::span<const Index> used)
       : count_(std::clamp(used.size() / 64, std::min<std::size_t>(used.size() / 8, 32), kMost)) {
     TAMIS_ASSERT(used.size() >= kFewestVertices);
@@ -33,12 +33,12 @@ class SomeVertices {
     find_shortest();
   }
 
-  /// The shortest of the distances. Two still shorter ones may be slivers, and do not count, nor what is next to
-  /// nothing beside the median: vertices lie on each other on purpose, or wait somewhere until they are used.
+  /// The third shortest of the distances, as two may be slivers. Skips distances below 2^-24 of the median: such
+  /// vertices coincide on purpose, or wait somewhere until they are used.
   double shortest() const { return shortest_; }
 
-  /// `count` of the vertices: those with up to eight times the shortest distance as often as each other, the rest in
-  /// inverse proportion to theirs.
+  /// Chooses `count` of the sampled vertices: those with up to eight times the shortest distance weigh the same, others
+  /// weigh less in inverse proportion to their distance.
   template <std::size_t count>
   std::array<Index, count> finest() const {
     const double fine = std::max(8 * shortest_, std::numeric_limits<double>::min());

@@ -1,4 +1,4 @@
-// Where a step has its shortest edges: there boxes need their floats.
+// Finds where a step has its shortest edges: boxes need the precision of floats there.
 #pragma once
 #include <optional>
 #include <span>
@@ -7,18 +7,18 @@
 
 namespace tamis {
 
-/// A place at either end of the step, and how far around it half of the fine vertices are.
+/// A place at each end of the step; half of the fine vertices are within `radius` of it.
 struct FinePlace {
   Point start, end;
   double radius = 0;
 
-  /// Of a vertex, at the end where it is farther and along the axis where it is.
+  /// The largest distance of a vertex from the place along any axis, at the end of the step where it is larger.
   double distance_to(const double* at_start, const double* at_end) const;
 };
 
-/// Where the vertices are that lie nearest to the next one by number, which most often is at the other end of an edge.
-/// Nothing if they spread over more than `width`, or there are so few vertices that nobody waits for them. A guess from
-/// a sample, made of the step alone.
+/// The place of those vertices that lie nearest to the next vertex by number, which most often is the other end of an
+/// edge. Nothing if they spread over more than `width`, or if there are too few vertices for the frame to matter. A
+/// guess from a sample; it depends on the step alone.
 std::optional<FinePlace> place_finer_than(double width, const Step& step, std::span<const Index> used);
 
 }  // namespace tamis

@@ -1,5 +1,5 @@
-// Axis-aligned boxes at t=0 and at t=1, sixteen to a block. Interpolated linearly the two contain the feature at every
-// t, so two features can touch only while their interpolated boxes meet (formulas: constant-axis and slab tests).
+// Axis-aligned boxes at t=0 and at t=1, sixteen to a block. Their linear interpolation contains the feature at every t,
+// so two features can touch only while their interpolated boxes meet (formulas: constant-axis and slab tests).
 #pragma once
 #include <array>
 #include <cstdint>
@@ -8,10 +8,10 @@ namespace tamis {
 
 inline constexpr int kBlock = 16;
 
-/// Boxes of what lies within the frame are no wider: wider ones reach to outliers.
+/// Boxes of features within the frame are no wider than this; a wider box reaches an outlier.
 inline constexpr float kWidest = 16;
 
-/// Coordinates are in the frame of the boxes, within [-8,8], but those of outliers (BoxFrame). An empty lane has low =
+/// Coordinates are in the frame of the boxes, within [-8,8] except for outliers (BoxFrame). An empty lane has low =
 /// kNowhere, high = -kNowhere, and meets nothing; it is finite because differences of infinities are none.
 inline constexpr float kNowhere = 1e30f;
 
@@ -21,7 +21,7 @@ struct alignas(64) BoxBlock {
   float low1[3][kBlock], high1[3][kBlock];
 };
 
-/// One of them: x y z at t=0, then at t=1, and two unused, so that the compiler makes vector operations of its loops.
+/// One box of a block: x y z at t=0, then at t=1, and two unused, so that compilers vectorize its loops.
 struct MovingBox {
   static constexpr int kSize = 8;
   float low[kSize], high[kSize];
@@ -59,9 +59,9 @@ struct MovingBox {
   }
 };
 
-/// The vertices of sixteen features, [corner][lane]. All are vertices there are: an empty lane repeats the block's
-/// first feature (its box is empty, so that it meets nothing), corners past the last repeat that one. Lanes are
-/// gathered and written past the end as a whole, and whoever reads them may read what they name.
+/// The vertices of sixteen features, [corner][lane]. Every entry is a valid vertex: an empty lane repeats the block's
+/// first feature (its box is empty, so that it meets nothing), corners past a feature's last repeat that one. Kernels
+/// gather and write whole vectors of lanes past the last feature, so every lane's vertices must be readable.
 struct alignas(64) CornerBlock {
   std::int32_t vertex[3][kBlock];
 };

@@ -13,13 +13,12 @@
 namespace tamis {
 namespace {
 
-/// Those in which two numbers differ.
 std::uint64_t different_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) ^ std::bit_cast<std::uint64_t>(b);
 }
 
-/// What rounding hides of an outlier, or of a vertex whose radius reaches so far; of others margins know. `margin`: for
-/// a reach of 1.
+/// What rounding hides of an outlier, or of a vertex whose radius reaches beyond the frame; 0 for others, which the
+/// margins of boxes cover. `margin`: what it hides at a reach of 1.
 float hidden_of(const BoxVertex& vertex, float margin) {
   constexpr auto kFarthest = static_cast<float>(BoxFrame::kFarthest);
   const float reach = vertex.largest_coordinate() + vertex.at[BoxVertex::kRadius];

@@ -24,9 +24,9 @@ struct alignas(64) PackedVertex {
   const double* end() const { return at + 4; }
 };
 
-/// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then at t=1, its radius (rounded up; with what
-/// rounding hides of an outlier), one unused; half a cache line. For residuals (SharedMotion): zeros, then x y z of the
-/// residual, and as radius what rounding hides of an outlier's.
+/// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then at t=1, its radius (rounded up; for an
+/// outlier, with what rounding hides of it added), one unused; half a cache line. For residuals (SharedMotion): zeros,
+/// then x y z of the residual, and for an outlier what rounding hides in place of the radius.
 struct alignas(32) BoxVertex {
   static constexpr int kRadius = 6;
   float at[8] = {};
@@ -38,7 +38,7 @@ struct alignas(32) BoxVertex {
   }
 };
 
-/// The separation of a pair: a fixed distance, and if there are any the radii that stand beside the vertices.
+/// The separation of a pair: a fixed distance, and if `has_radii` the radii that are stored with the vertices.
 template <class T>
 struct PairSeparation {
   T fixed = 0;
@@ -50,7 +50,7 @@ struct MotionView {
   const PackedVertex* vertices;
   PairSeparation<double> separation = {};
   const BoxVertex* box_vertices = nullptr;
-  PairSeparation<float> box_separation = {};  ///< with what rounding may hide: the margins of two boxes
+  PairSeparation<float> box_separation = {};  ///< the margins of two boxes: the separation, and what rounding may hide
   bool has_outliers = false;                  ///< BoxFrame::has_outliers
 };
 
@@ -62,13 +62,13 @@ struct PackedMotion {
   BoxFrame frame;
   Separations separations;
 
-  /// Loads the vertices `used` and the separations; residuals stay. Returns false if nothing has changed, to the bit.
-  /// REQUIRES: as many positions at both ends, and as many radii or none. REQUIRES (not checked: O(n)): a validated
-  /// step.
+  /// Loads the vertices `used` and the separations; residuals stay. Returns false if no bit of these has changed.
+  /// REQUIRES: the same number of positions at both ends, and of radii unless there are none. REQUIRES (not checked:
+  /// O(n)): a validated step.
   bool assign(const Step& step, std::span<const Index> used, const Separations& separations);
-  /// Computes the residuals of the vertices `used`, what is left of their displacements beside `shared`.
+  /// Computes the residuals of the vertices `used`: their displacements less the motion `shared`.
   void assign_residuals(std::span<const Index> used, const SharedMotion& shared);
-  /// Does it lie outside the frame?
+  /// Does the vertex lie outside the frame?
   bool is_outlier(Index vertex) const {
     return frame.has_outliers && box_vertices[static_cast<std::size_t>(vertex)].largest_coordinate() > 1;
   }
@@ -83,14 +83,15 @@ struct PackedMotion {
   std::uint64_t memory_bytes() const { return held_bytes(vertices, box_vertices, residuals); }
 
  private:
-  /// Returns the bits in which some vertex differs from what it was. `has_outliers`: of the frame.
+  /// Returns the bits in which some vertex has changed. `has_outliers`: of the frame.
   template <bool has_outliers>
   std::uint64_t load(std::span<const Index> some, const Step& step);
-  /// Returns the box around these residuals but outliers'.
+  /// Returns the box around these residuals, without those of outliers.
   Box load_residuals(std::span<const Index> some, const SharedMotion& shared);
 };
 
-/// What boxes of vertices, or of residuals, are widened by: so much, and so much of the box's size.
+/// What widens boxes of vertices, or of residuals: `fixed`, and `relative` times the larger distance of an end from
+/// zero.
 struct BoxMargins {
   float fixed, relative;
 };

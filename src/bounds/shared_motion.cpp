@@ -7,20 +7,21 @@
 namespace tamis {
 namespace {
 
-/// About so many are sampled.
+/// About how many are sampled.
 constexpr std::size_t kSampledVertices = 4096, kSampledEdges = 1024;
-/// The clearance that a gradient costs, over the length of edges: that of boxes eight edges wide, a guess at those of
-/// near pairs. No answer depends on it.
+/// The clearance that a gradient costs, relative to the length of edges: that of boxes eight edges wide, a guess at the
+/// boxes of near pairs. No answer depends on it.
 constexpr double kEdgeAdvanceClearance = 8 * error_bounds::kBoxAdvanceClearance;
-/// The least stretch beyond the fraction, and the greatest: else the clearance costs more than the gradient gains.
+/// By how much the least stretch must exceed the fraction, and how large the greatest may be: else the clearance costs
+/// more than the gradient gains.
 constexpr double kLeastBeyond = 0x1p-4, kGreatestStretch = 4;
 
 Vec3<double> rounded_difference(const double* to, const double* from, double scale) {
   return {scale * (to[0] - from[0]), scale * (to[1] - from[1]), scale * (to[2] - from[2])};
 }
 
-/// The differences of residuals along edges over the edges' lengths, as root mean squares, without outliers. Not
-/// finite, and no reason for a gradient, where differences are not.
+/// The root mean square of residual differences along edges, over that of the edges' lengths, without outliers. Not
+/// finite where differences are not; then there is no gradient.
 double growth_beside(const DisplacementGradient& gradient, const Mesh& mesh, const PackedMotion& motion) {
   double residual2 = 0, length2 = 0;
   const auto edges = mesh.edges();
@@ -41,7 +42,8 @@ double growth_beside(const DisplacementGradient& gradient, const Mesh& mesh, con
 
 SharedMotion fit_shared_motion(const Mesh& mesh, const PackedMotion& motion, double fraction) {
   const double most = growth_beside({}, mesh, motion) / (1 - fraction);
-  if (!(kEdgeAdvanceClearance / (1 - fraction) < most)) return {};  // whatever it leaves
+  if (!(kEdgeAdvanceClearance / (1 - fraction) < most))
+    return {};  // no gradient gains enough, whatever residuals it leaves
   const auto points = mesh.points();
   const GradientFit fit = fit_gradient(motion, points, points.size() / kSampledVertices + 1);
   const StretchBounds stretch = stretch_bounds(fit.gradient);

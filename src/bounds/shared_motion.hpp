@@ -11,15 +11,15 @@ struct SharedMotion {
   GradientFit fit = {};   ///< else zero
   StretchBounds stretch;  ///< of the gradient
 
-  /// What is left of the displacement of a vertex, in the frame of the boxes.
+  /// A vertex' displacement less the shared motion, in the frame of the boxes.
   Vec3<double> residual_of(const PackedVertex& vertex, const BoxFrame& frame) const {
     return frame.displacement(vertex) - fit.mean_displacement -
            fit.gradient.at(frame.place(vertex) - fit.mean_position);
   }
 };
 
-/// Fits the gradient; there is none unless the residuals are less likely to bring pairs to `fraction` of their distance
-/// than the displacements themselves.
+/// Fits the gradient. Returns none unless its residuals are less likely than the displacements themselves to bring
+/// pairs to `fraction` of their distance.
 SharedMotion fit_shared_motion(const Mesh& mesh, const PackedMotion& motion, double fraction);
 
 }  // namespace tamis

@@ -15,8 +15,8 @@ struct Decision {
   bool is_free() const { return verdict == Verdict::is_free; }
   bool touches() const { return verdict == Verdict::touches; }
 
-  /// Adds a part of the step that may hold a contact, or one that does; parts come in order. An unsure part before a
-  /// contact becomes the lower end of its bracket. REQUIRES: no contact was added.
+  /// Adds a part of the step that may hold a contact, or one that does; parts come in the order of time. The bracket of
+  /// a contact begins at the first unsure part before it. REQUIRES: no contact was added.
   void add_unsure(double from, double until) {
     if (is_free()) *this = {Verdict::unsure, from, until};
     upper = std::max(upper, until);

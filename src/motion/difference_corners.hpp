@@ -1,5 +1,5 @@
-// The Minkowski difference of the two features of a pair is the convex hull of these: the distance of the features is
-// its distance from zero, and the fastest of its corners bounds the speed of any point of one against any of the other.
+// The corners of the Minkowski difference of a pair's two features, which is their convex hull. Its distance from zero
+// is the distance of the features; its fastest corner bounds the relative speed of any two points of the features.
 #pragma once
 #include <array>
 
@@ -27,7 +27,7 @@ inline auto difference_corners(const PairMotion<T>& m) {
   return difference_corners<kind>(m.e, m.f, m.d);
 }
 
-/// Of the fastest corner: convex combinations of the corners' velocities are those of all pairs of points.
+/// That of the fastest corner: the relative velocity of any two points is a convex combination of the corners'.
 template <PairKind kind, class T>
 inline T squared_speed(const PairMotion<T>& m) {
   T square(0);
@@ -56,8 +56,8 @@ inline Range<T> range_of_differences(const T& e, const T& f, const T& d) {
   return {low, high};
 }
 
-/// A lower bound, beyond all rounding, of the distance of zero from the hull of `corners`, by a direction of any
-/// length; 0 if it proves none. `size`: D + E + F.
+/// A lower bound, beyond all rounding, of the distance from zero to the hull of `corners`, by projection on
+/// `direction`, of any length; 0 if that proves none. `size`: D + E + F.
 template <class Corners, class T>
 inline T distance_along(const Corners& corners, const Vec3<T>& direction, const T& size) {
   constexpr double kRoundoff = error_bounds::unit_roundoff<T>;

@@ -12,11 +12,11 @@ namespace tamis {
 namespace {
 
 using tamis::largest;
-/// The sizes are those of the differences in doubles.
+/// Of the differences rounded to doubles.
 double largest(const Moving<DoubleDouble>& v) { return largest(Moving<double>{rounded(v.at0), rounded(v.at1)}); }
 
-/// 1, unless differences might overflow: then a power of two that keeps them below 2^1022. What is so small that it
-/// loses bits by that is far below `underflow`.
+/// 1, unless differences might overflow: then a power of two that keeps them below 2^1022. Coordinates small enough to
+/// lose bits by that are far below `underflow`.
 double safe_unit(const PairPoints& points) {
   double largest = 0;
   for (const auto* positions : {&points.start, &points.end})

@@ -9,18 +9,18 @@
 
 namespace tamis {
 
-/// Up to four points at t=0 and at t=1, in the order of Contact. vf: the point, then a, b, c. ee: a0, a1, b0, b1.
-/// ve: the point, then a, b. vv: two points. What is not used is zero.
+/// Up to four points at t=0 and at t=1, in the order of Contact. vf: the point, then a, b, c. ee: a0, a1, b0, b1. ve:
+/// the point, then a, b. vv: two points. Unused points are zero.
 struct PairPoints {
   std::array<Point, 4> start, end;
 };
 
-/// The pair's motion times the power of two that brings its largest size into [1/2, 1), so that no decision depends
-/// on the unit of length, nor any difference overflows; so is `separation`, given in the unit of the points. REQUIRES:
-/// a kind there is, finite coordinates, a separation >= 0; infinite where nothing bounds it.
+/// The pair's motion and `separation`, given in the unit of the points, times the power of two that brings the largest
+/// size into [1/2, 1): no decision depends on the unit of length, and no difference overflows. REQUIRES: a valid kind,
+/// finite coordinates, a separation >= 0, infinite where nothing bounds it.
 PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double separation = 0);
 
-/// A pair that is asked about, and its motion. Refers to the points. REQUIRES: as make_motion.
+/// A pair and its motion. Keeps a reference to the points. REQUIRES: as make_motion.
 struct PairInStep {
   PairInStep(PairKind k, const PairPoints& p, double s = 0)
       : kind(k), points(p), separation(s), motion(make_motion(k, p, s)) {}
@@ -35,7 +35,7 @@ struct PairInStep {
 PairMotion<DoubleDouble> make_fine_motion(const PairInStep& pair);
 
 /// The motion during the first `part` of the step, a power of two, mapped to [0,1] and scaled by its own size: as exact
-/// as make_motion. Nothing if it is so small that underflow would count. REQUIRES: 0 < part <= 1.
+/// as make_motion. Nothing if the motion is so small that underflow would count. REQUIRES: 0 < part <= 1.
 std::optional<PairMotion<double>> make_beginning(const PairInStep& pair, double part);
 
 bool is_finite(const PairPoints& points);

@@ -1,5 +1,5 @@
-// What the kinds of pairs differ in: which vertices make which vectors. Everything else follows from the three vectors
-// of PairMotion (motion/pair_motion.hpp).
+// Kinds of pairs differ in which vertices make which vectors. Everything else follows from the three vectors of
+// PairMotion (motion/pair_motion.hpp).
 #pragma once
 #include <cstddef>
 #include <span>
@@ -17,7 +17,7 @@ struct VertexDifference {
   std::size_t to, from;
 };
 
-/// The vectors of PairMotion. A feature that has no such side has the difference of a vertex and itself: zero, exactly.
+/// The vectors of PairMotion. A side that a feature lacks is the difference of a vertex and itself: zero, exactly.
 struct SpanningVectors {
   VertexDifference e, f, d;
 };
@@ -44,10 +44,9 @@ constexpr bool can_cross(PairKind kind) { return kind == PairKind::vertex_face |
 /// Is contact a matter of the distance? If not, of when the four points are coplanar.
 constexpr bool is_about_distance(PairKind kind, double separation) { return separation > 0 || !can_cross(kind); }
 
-/// The place, among the pair's vertices, of the second feature's first.
+/// The index, among the pair's vertices, of the second feature's first vertex.
 constexpr std::size_t second_feature(PairKind kind) { return kind == PairKind::edge_edge ? 2 : 1; }
 
-/// How many vertices the pair has.
 constexpr std::size_t vertex_count(PairKind kind) {
   switch (kind) {
     case PairKind::vertex_vertex:
@@ -70,8 +69,7 @@ constexpr std::span<const VertexDifference> difference_corners(PairKind kind) {
   return std::span(kVertexCorners).first(vertex_count(kind) - 1);
 }
 
-/// f(kind), with the kind as a constant: `kind()` in f may stand where a template argument is asked for. REQUIRES: a
-/// kind there is.
+/// Calls f(kind) with the kind as a constant: in f, `kind()` can be a template argument. REQUIRES: a valid kind.
 template <class F>
 decltype(auto) with_kind(PairKind kind, const F& f) {
   TAMIS_ASSERT(is_kind(kind));

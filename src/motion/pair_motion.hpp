@@ -52,8 +52,8 @@ struct PairMotion {
 
 inline bool is_finite(const PairMotion<double>& m) { return std::isfinite(m.size_e + m.size_f + m.size_d); }
 
-/// Can the motion be one that is not restricted, with sizes of just these vectors? Always true of motions that are not
-/// finite, and of numbers other than doubles, which are not checked.
+/// Can this be the motion of a whole step, where sizes are those of just these vectors? Motions that are not finite,
+/// and number types other than double, are not checked: always true.
 inline bool may_be_whole(const PairMotion<double>& m) {
   return !is_finite(m) || (m.size_e == largest(m.e) && m.size_f == largest(m.f) && m.size_d == largest(m.d));
 }

@@ -34,8 +34,8 @@ inline std::array<T, 4> coplanarity_polynomial(const PairMotion<T>& m) {
   return coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
 }
 
-/// Is the cubic not known to differ from zero at t=0? Doubles cannot decide what is coplanar there, and bodies at rest
-/// on each other often are.
+/// May the cubic be zero at t=0, within its error? Doubles cannot decide pairs that are coplanar there, as bodies at
+/// rest on each other often are.
 template <class T>
 inline Mask<T> may_start_coplanar(const PairMotion<T>& m) {
   const T k = dot(m.d.at0, cross(m.e.at0, m.f.at0));
@@ -43,7 +43,7 @@ inline Mask<T> may_start_coplanar(const PairMotion<T>& m) {
 }
 
 /// The same cubic during [t_in, t_out], with that time mapped to [0,1]: its polar form at the two times (de Casteljau).
-/// Off by less than what the motion, restricted to that part, gives: kCoplanarityEnd and kCoplanarityMiddle.
+/// Off by less than the cubic of the restricted motion, whose errors are kCoplanarityEnd and kCoplanarityMiddle.
 template <class T>
 inline std::array<T, 4> restrict_to(const std::array<T, 4>& k, const T& t_in, const T& t_out) {
   const T before_in = T(1) - t_in, before_out = T(1) - t_out;
@@ -58,7 +58,7 @@ inline std::array<T, 4> restrict_to(const std::array<T, 4>& k, const T& t_in, co
           T(1.0 / 3) * at_out(out_out0, out_out1)};
 }
 
-/// M(t) = w(t) x n(t), cubic: normal of the moving plane through an edge with direction w, orthogonal to the pair's.
+/// M(t) = w(t) x n(t), cubic: normal of the moving plane that an edge with direction w and the pair's normal n span.
 template <class T>
 inline std::array<Vec3<T>, 4> edge_plane_polynomial(const Moving<T>& w, const std::array<Vec3<T>, 3>& n) {
   return {cross(w.at0, n[0]), cross(w.at0, n[1]) + cross(w.at1, n[0]), cross(w.at0, n[2]) + cross(w.at1, n[1]),

@@ -1,4 +1,4 @@
-// How near counts as contact: a distance for all pairs, and for each of the two features its own radius.
+// Up to which distance features count as touching: a distance for all pairs, and a radius for each of the two features.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -16,7 +16,8 @@ struct Separations {
 
   /// Is there any? If not, contact means touching.
   bool any() const { return fixed > 0 || !radii.empty(); }
-  /// A feature has the largest radius of its vertices. `v` as in Contact. REQUIRES: a radius of each.
+  /// The separation of one pair: a feature has the largest radius of its vertices. `v` as in Contact. REQUIRES: a
+  /// radius for each vertex of `v`, or none at all.
   double between(PairKind kind, const std::array<Index, 4>& v) const {
     if (radii.empty()) return fixed;
     const std::size_t second = second_feature(kind);

@@ -1,5 +1,5 @@
-// The ray-slab test in time: what is left of an interval when all times at which some linear function is positive (a
-// gap is open) have been cut away. Serves boxes and pairs of features alike.
+// The ray-slab test in time: cuts from an interval all times at which some linear function (a gap) is positive. Serves
+// boxes and pairs of features alike.
 #pragma once
 #include "numerics/error_bounds.hpp"
 #include "numerics/select.hpp"
@@ -12,8 +12,8 @@ struct TimeInterval {
   T t_in, t_out;
 };
 
-/// Where a part of the time is cut into halves: at no simple fraction, as contacts happen at those, and a contact at a
-/// cut is undecided on both sides.
+/// Where an interval of times is halved: at no simple fraction, as contacts happen at those, and a contact at a cut is
+/// undecided on both sides.
 inline constexpr double kNearMiddle = 0.48713;
 inline double near_middle(double from, double to) { return from + kNearMiddle * (to - from); }
 
@@ -42,9 +42,9 @@ class TimeClip {
     last_ = Masked<T>::min_number(Masked<T>::nan_where(falls, root), last_);
   }
 
-  /// What is left, t_out < t_in where nothing is. A root is off, of itself, by the ratio's error, 4 u for the two ends,
-  /// u for their difference and u for the product below; 8 u are given. That also keeps a root beyond the step's end
-  /// beyond it.
+  /// The times that were not cut; t_out < t_in if there are none. A root is off, of itself, by the ratio's error, 4 u
+  /// for the two ends, u for their difference and u for the product below; 8 u are given. The widening also keeps a
+  /// root beyond the step's end beyond it.
   TimeInterval<T> rest() const {
     constexpr double kError = Ratio<T>::kError + 8 * error_bounds::unit_roundoff<T>;
     const T t_in = max(time_.t_in, first_ * error_bounds::constant<T>(1 - kError));

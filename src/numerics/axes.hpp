@@ -28,7 +28,7 @@ inline T project(const Vec3<T>& v) {
   if constexpr (i == 12) return v.x - v.y - v.z;
 }
 
-/// Rounded up. What is off by one on each of three axes is off by the root of three.
+/// Rounded up. A vector that is off by one on each of three axes is off by the root of three in length.
 inline constexpr double kRootOfTwo = 1.41421356237309515, kRootOfThree = 1.73205080756887742;
 
 /// Euclidean length of axis `i`, rounded up.

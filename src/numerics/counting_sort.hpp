@@ -14,12 +14,12 @@
 
 namespace tamis {
 
-/// Finds the places of items that are sorted by a number each, their bucket. Keeps its counters from call to call.
+/// Finds where items go when they are sorted by their bucket, a number each. Keeps its counters from call to call.
 class CountingSort {
  public:
-  /// Calls put(i, place) once for each i below `count`: places, all those below `count`, ascend by bucket_of(i), below
-  /// `buckets`, then by i. Runs in the caller's oneTBB arena, whose threads call all three; what `pause`, called now
-  /// and then, throws ends it. REQUIRES: count < 2^32.
+  /// Calls put(i, place) once for each i in [0, count). The places are those in [0, count), each once; they ascend by
+  /// bucket_of(i), in [0, buckets), then by i. The threads of the caller's oneTBB arena call all three functions.
+  /// `pause` is called now and then; an exception that it throws ends the sort. REQUIRES: count < 2^32.
   template <class BucketOf, class Put>
   void find_places(std::size_t count, std::size_t buckets, const BucketOf& bucket_of, const Put& put,
                    const std::function<void()>& pause) {
@@ -54,13 +54,13 @@ class CountingSort {
   std::uint64_t memory_bytes() const { return held_bytes(places_); }
 
  private:
-  /// Below a tenth of a millisecond.
+  /// Items between two calls of `pause`: below a tenth of a millisecond.
   static constexpr std::size_t kItemsPerPause = std::size_t{1} << 14;
 
-  /// [part of the items][bucket]: how many there are, then where the next one goes. A part for each thread, unless the
-  /// counters would be most of the work.
+  /// [part of the items][bucket]: first the number of its items, then the place of its next one. There is a part for
+  /// each thread, unless the counters would be most of the work.
   std::vector<std::uint32_t> places_;
-  std::size_t ends_ = 0;  ///< of the last part
+  std::size_t ends_ = 0;  ///< where the last part's counters begin: after a call, the ends of the buckets' places
 };
 
 }  // namespace tamis

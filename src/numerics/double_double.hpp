@@ -1,6 +1,6 @@
-// Double-double numbers: the unevaluated sum of two doubles, about 106 bits. For what doubles are too coarse
-// for, on curves and in straight motion; the same templates run on it as on double. No FMA: a product is split as
-// Dekker does, so that every machine gives the same bits.
+// Double-double numbers: the unevaluated sum of two doubles, about 106 bits. Used where doubles are too coarse, on
+// curves and in straight motion, by the same templates. No FMA: a product is split as Dekker does, so that every
+// machine gives the same bits.
 //
 // Error bounds after Joldes, Muller, Popescu, Tight and rigorous error bounds for basic building blocks of double-word
 // arithmetic (ACM TOMS 44, 2017), with u = 2^-53: sum 3 u^2 / (1 - 4 u) (theorem 3.1), with a double 2 u^2
@@ -22,8 +22,8 @@ struct DoubleDouble {
 
   DoubleDouble() = default;
   constexpr DoubleDouble(double value) : high(value) {}
-  /// REQUIRES: as above; below 2^-968, where the 106 bits of a product reach under the smallest double, it is not
-  /// checked: a low part that was rounded there may be half a unit of that too large.
+  /// REQUIRES: `high_part` is the sum of both, rounded. Not checked below 2^-968, where the 106 bits of a product reach
+  /// below the smallest double: there rounding may make a low part too large by half a unit of that.
   constexpr DoubleDouble(double high_part, double low_part) : high(high_part), low(low_part) {
     TAMIS_ASSERT(high + low == high || abs_of(high) < 0x1p-968 || !(high - high == 0 && low - low == 0));
   }
@@ -83,8 +83,8 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   return double_double::ordered_sum(c.high, c.low + (a.high * b.low + a.low * b.high));
 }
 
-/// Off by at most 32 u^2 = 2^-100 of itself: what is left of `a` after the first quotient is below 4 u of a and off by
-/// 11 u^2 (a product, a difference); the second quotient adds 3 u of it, and the sum is exact.
+/// Off by at most 32 u^2 = 2^-100 of itself: the remainder after the first quotient is below 4 u of a and off by 11 u^2
+/// of a (a product, a difference); the second quotient is off by 3 u of the remainder; the sum is exact.
 inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   const double first = a.high / b.high;
   const DoubleDouble rest = a - b * DoubleDouble(first);

@@ -8,8 +8,8 @@
 
 namespace tamis::error_bounds {
 
-/// u of a number type: a sum and a product are off by at most u of themselves. Every type says its own, beside its
-/// operations: one that is forgotten must not compile, for it would be taken for double.
+/// u of a number type: a sum or a product is off by at most u of itself. Each type specializes it beside its
+/// operations. A type without its own u must not compile: it would pass for double.
 template <class T>
 inline constexpr double unit_roundoff = [] {
   static_assert(sizeof(T) == 0, "this number type does not say its unit roundoff");
@@ -17,7 +17,6 @@ inline constexpr double unit_roundoff = [] {
 }();
 template <>
 inline constexpr double unit_roundoff<double> = 0x1p-53;
-/// Of doubles.
 inline constexpr double kRoundoff = unit_roundoff<double>;
 
 /// Added to every bound: products that underflow are wrong by at most 2^-1075 each, after fewer than 2^10
@@ -46,8 +45,8 @@ inline constexpr double kInput = 8;
 
 // Coplanarity K = d.(e x f), unit D E F. N0, N2: 4 kInput + 4 = 36, |N0| <= 2; N1: 76, |N1| <= 4.
 // K0, K3: 3 (2 kInput + 36 + 2) + 10 = 172. K1, K2: 3 (4 kInput + 76 + 4) + 20 + 172 + 18 = 546.
-// From the cubic of the whole step, restricted to the part, less: with kInput = 1 N is off by 8 and 20, K0 and K3 by
-// 46, K1 and K2 by 168, as are 3 K0 and 3 K3; these four are at most 18, so that each of three mixtures adds 3 * 18:
+// The cubic of the whole step, restricted to the part, is off by less: with kInput = 1, N is off by 8 and 20, K0 and K3
+// by 46, K1 and K2 by 168, as are 3 K0 and 3 K3; these four are at most 18, so that each of three mixtures adds 3 * 18:
 // 330, of which a third is 110, and 122 with its rounding.
 inline constexpr double kCoplanarityEnd = 180;
 inline constexpr double kCoplanarityMiddle = 560;
@@ -104,9 +103,9 @@ inline constexpr double kAxisLater = 192;
 // together: vectors at that time 1 + 3, products 1, sums 2, so sqrt(3) * 7 = 12.2; weights whose sum rounds to 1: 2.
 inline constexpr double kGap = 20;
 
-// The distance at rest by closest points against the bound along their axis, unit D + E + F: kGap above and kAxisNow
-// below, kLength and 8 of a length below 3, together 88 where the axis is the right one; what a tilt of the axis costs
-// is let pass up to ten times that, else the distance is found in integers.
+// By how much the distance at rest by closest points may exceed the bound along their axis, unit D + E + F. Rounding
+// makes 88 of that where the axis is the right one: kGap above, kAxisNow below, kLength and 8 of a length below 3. A
+// tilted axis may cost up to ten times that; if it costs more, integers find the distance.
 inline constexpr double kRestDistance = 1024;
 
 // The velocity of a corner of the two features' difference, unit D + E + F, all components together: at each end kInput
@@ -130,21 +129,21 @@ inline constexpr double kTurningGap = 96;
 // The same, where the least distance is a part of that at t=0: kGap and kLength, 27 more.
 inline constexpr double kKeptGap = 128;
 
-// Part of D + E + F: while a pair's clearance exceeds it, advancement (narrow/first_within.hpp) goes on, and each
+// A part of D + E + F. While a pair's clearance exceeds it, advancement (narrow/first_within.hpp) goes on, and each
 // advance is at least 1/16 of this part of the step (docs/numerics.md, "Step lengths").
 inline constexpr double kAdvanceClearance = 0x1p-10;
 
-// The same of every pair within two boxes, times their largest extent along an axis, from the lower end of the one to
-// the upper end of the other: D is at most that, and a box at most twice as wide, so that E + F of a face, whose sides
-// are in one box, are at most four times that; 6 covers the rounding of all the rest.
+// The same for every pair within two boxes, times the largest extent X along an axis from the lower end of one box to
+// the upper end of the other: D is at most X, and each box at most 2 X wide, so E + F of a face, whose sides are in one
+// box, is at most 4 X; 6 covers the rounding of all the rest.
 inline constexpr double kBoxAdvanceClearance = 6 * kAdvanceClearance;
 
 }  // namespace tamis::error_bounds
 
 namespace tamis {
 
-/// Sums, products, quotients and roots of doubles >= 0 come, times this, to no less than without rounding: each loses u
-/// of itself, and 2^12 of them less than this adds. What may underflow is added beside it.
+/// A computed sum, product, quotient or root of doubles >= 0, times this, is no less than the exact one: each operation
+/// loses at most u of itself, and 2^12 of them less than this adds. Callers add what may underflow.
 inline constexpr double kRoundedUp = 1 + 0x1p-40;
 
 }  // namespace tamis

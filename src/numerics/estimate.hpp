@@ -1,5 +1,5 @@
-// An estimate of an integer: a double with a bound of its rounding, and the value modulo 2^128. Together they are exact
-// below 2^127, so that zeros, and small values, are known. Tried before Integer.
+// An estimate of an integer: a double with a bound of its rounding, and the value modulo 2^128. Together they hold
+// values below 2^127 exactly, so zeros and small values are known. Tried before Integer.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace tamis {
 
-/// What the templates of motion/polynomials.hpp need, as Integer; and whether a sign is known.
+/// Has what the templates of motion/polynomials.hpp need, as Integer does, and says whether its sign is known.
 class Estimate {
  public:
   Estimate() = default;
@@ -36,13 +36,13 @@ class Estimate {
 
   double value() const { return value_; }
   bool has_sign() const { return is_zero() || std::fabs(value_) > error_; }
-  /// Means nothing unless has_sign(), which may be asked afterwards.
+  /// Means nothing unless has_sign(); callers may ask that afterwards.
   int sign() const { return value_ > 0 ? 1 : value_ < 0 ? -1 : 0; }
-  /// Is the value off by a few roundings at most? They are 2^-48 of `size`.
+  /// Is the value off by at most a few roundings, 2^-48 of `size`?
   bool is_sharp(double size) const { return error_ <= 0x1p-48 * size && std::isfinite(size); }
   bool is_sharp() const { return is_sharp(std::fabs(value_)); }
 
-  // Inline: hundreds a pair, whose 32 bytes each a call would pass through memory.
+  // Forced inline: a pair takes hundreds, and a call would pass the 32 bytes of each through memory.
   [[gnu::always_inline]] friend Estimate operator-(const Estimate& a) { return {-a.value_, a.error_, 0 - a.rest_}; }
   [[gnu::always_inline]] friend Estimate operator+(const Estimate& a, const Estimate& b) {
     const DoubleDouble sum = DoubleDouble::sum_of(a.value_, b.value_);
@@ -59,12 +59,12 @@ class Estimate {
   __extension__ using Wide = unsigned __int128;
   __extension__ using SignedWide = __int128;
 
-  static constexpr double kRounding = 0x1p-53, kUp = 1 + 0x1p-50;  // the latter for roundings of the bound
+  static constexpr double kRounding = 0x1p-53, kUp = 1 + 0x1p-50;  // kUp: for roundings of the bound
 
   Estimate(double value, double error, Wide rest) : value_(value), error_(error), rest_(rest) {}
 
   bool is_zero() const { return value_ == 0 && error_ == 0; }
-  /// After an addition: where much cancelled, by what is known modulo 2^128.
+  /// After an addition that cancelled much: the value that is known modulo 2^128, if it is surely below 2^126.
   Estimate sharpened() const {
     if (is_sharp() || !(std::fabs(value_) + error_ < 0x1p126)) return *this;
     const auto value = static_cast<double>(static_cast<SignedWide>(rest_));

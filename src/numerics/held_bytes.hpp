@@ -1,4 +1,4 @@
-// How much memory parts of an object hold on the heap: what each memory_bytes() adds up.
+// The memory that parts of an object hold on the heap, which each memory_bytes() adds up.
 #pragma once
 #include <cstdint>
 #include <type_traits>
@@ -24,7 +24,7 @@ std::uint64_t held_bytes(const Part& part) {
   }
 }
 
-/// Of all together.
+/// The sum over all parts.
 template <class... Parts>
 requires(sizeof...(Parts) > 1) std::uint64_t held_bytes(const Parts&... parts) { return (held_bytes(parts) + ...); }
 

@@ -12,14 +12,13 @@
 
 namespace tamis {
 
-/// Vertices in a part of a loop that does little with each: ten to twenty microseconds.
+/// Vertices in a part of a loop that does little with each of them: a part takes ten to twenty microseconds.
 inline constexpr std::size_t kVerticesPerPart = 1024;
 
 inline bool has_other_threads() { return tbb::this_task_arena::max_concurrency() > 1; }
 
-/// Calls f(begin, end) for parts of a loop longer than `grain`. One thread alone takes parts sixteen times as long: as
-/// many that a function that is asked between them, for cancellation, is asked often, and so few that they cost
-/// nothing.
+/// Calls f(begin, end) for parts of a loop longer than `grain`. Without other threads, parts are sixteen times as long:
+/// short enough that a check for cancellation between them runs often, and so few that the parts cost nothing.
 template <class Count, class F>
 void in_several_parts(Count count, Count grain, const F& f) {
   if (has_other_threads())
@@ -48,8 +47,8 @@ void for_each_in_parts(const Items& items, std::size_t grain, const F& f) {
   });
 }
 
-/// What f(begin, end) says of all parts together: a flag, a count, a largest or least value, a box, so that it is the
-/// same however the loop is parted. `nothing`: of no part. join(a, b): of both.
+/// Joins f(begin, end) of all parts: a flag, a count, a largest or least value, a box, so that the result is the same
+/// however the loop is parted. `nothing`: the value of no items. join(a, b): the value of both parts.
 template <class Value, class Join, class F>
 Value joined_parts(std::size_t count, std::size_t grain, const Value& nothing, const Join& join, const F& f) {
   if (count > grain && has_other_threads()) {
@@ -63,14 +62,14 @@ Value joined_parts(std::size_t count, std::size_t grain, const Value& nothing, c
   return value;
 }
 
-/// The same of spans of items.
+/// The same for spans of items.
 template <class Item, class Value, class Join, class F>
 Value joined_parts(std::span<Item> items, std::size_t grain, const Value& nothing, const Join& join, const F& f) {
   return joined_parts(items.size(), grain, nothing, join,
                       [&](std::size_t begin, std::size_t end) { return f(items.subspan(begin, end - begin)); });
 }
 
-/// Does is_so(item) hold for all items? Parts after one with an item for which it does not are passed over.
+/// Does is_so(item) hold for all items? Once it has failed for one, parts that have not begun are skipped.
 template <class Item, class F>
 bool all_in_parts(std::span<const Item> items, std::size_t grain, const F& is_so) {
   std::atomic<bool> are_so = true;
@@ -80,8 +79,8 @@ bool all_in_parts(std::span<const Item> items, std::size_t grain, const F& is_so
   return are_so;
 }
 
-/// Sorts by an order in which only equal items are neither before nor after each other. One thread alone is faster
-/// without oneTBB's sort.
+/// Sorts by a total order: only equal items are neither before nor after each other. Without other threads, std::sort
+/// is faster than oneTBB's sort.
 template <class Items, class Order>
 void sort_in_parts(Items& items, const Order& comes_before) {
   if (has_other_threads())

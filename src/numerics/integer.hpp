@@ -1,6 +1,6 @@
 // Integers of any size by GMP, those up to 768 bits without the heap: an exact decision makes hundreds of them, and
-// with mpz_class half of its time went to malloc. Most are sums of what is below 2^126, or products of two limbs by
-// two, and do not ask GMP.
+// with mpz_class half of its time went to malloc. Most operations are sums of numbers below 2^126 or products of two
+// limbs by two; these bypass GMP.
 #pragma once
 #include <gmp.h>
 
@@ -12,7 +12,7 @@
 
 namespace tamis {
 
-/// What the templates of motion/polynomials.hpp and Horner's rule need; for the rest of GMP there is `get()`.
+/// Has what the templates of motion/polynomials.hpp and Horner's rule need; get() opens the rest of GMP.
 class Integer {
  public:
   Integer() noexcept { use_own_limbs(); }
@@ -118,7 +118,7 @@ class Integer {
         static_cast<Wide>((count > 1 ? UnsignedWide{from[1]} << GMP_NUMB_BITS : 0) | (count > 0 ? from[0] : 0));
     return sign() < 0 ? -magnitude : magnitude;
   }
-  /// REQUIRES: room for them. Mostly there are few: calling memmove would take longer than copying.
+  /// REQUIRES: room for the other's limbs. Mostly these are few: calling memmove would take longer than copying.
   void copy_limbs(const Integer& other) {
     TAMIS_ASSERT(other.limbs() <= value_->_mp_alloc);
     const int count = other.limbs();
@@ -129,7 +129,7 @@ class Integer {
     if (count > 2) std::copy(from + 2, from + count, to + 2);
     value_->_mp_size = other.value_->_mp_size;
   }
-  /// Zero beyond the last.
+  /// Zero beyond the last limb.
   mp_limb_t limb(int i) const { return i < limbs() ? value_->_mp_d[i] : 0; }
   static Integer product_of_two_limbs(const Integer& a, const Integer& b) {
     const UnsignedWide a0 = a.limb(0), a1 = a.limb(1), b0 = b.limb(0), b1 = b.limb(1);
@@ -162,7 +162,7 @@ class Integer {
   int limbs() const { return std::abs(value_->_mp_size); }
   int shifted_limbs(unsigned long bits) const { return limbs() + static_cast<int>(bits / GMP_NUMB_BITS) + 1; }
   static int sum_limbs(const Integer& a, const Integer& b) { return std::max(a.limbs(), b.limbs()) + 1; }
-  /// What GMP's `operation` gives; its result has at most `limbs` limbs.
+  /// The result of GMP's `operation`, which has at most `limbs` limbs.
   template <class Operation, class... Operands>
   static Integer make(int limbs, Operation operation, const Operands&... operands) {
     Integer result;
@@ -170,7 +170,7 @@ class Integer {
     operation(result.value_, operands...);
     return result;
   }
-  /// Makes room before each operation for what GMP asks of its result: GMP must not reallocate our own limbs.
+  /// Makes the room that GMP asks for a result, before the operation: GMP must not reallocate our own limbs.
   void reserve(int limbs) {
     if (limbs > value_->_mp_alloc) grow(limbs);
   }

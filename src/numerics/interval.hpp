@@ -15,9 +15,9 @@ namespace tamis {
 
 namespace rounding {
 
-/// A result moved down lies at or below what was rounded: at most the predecessor, at least the second predecessor of
-/// x, for finite x (Rump, Zimmermann, Boldo, Melquiond 2009): one multiplication and two additions instead of a library
-/// call. -inf stays; NaN stays.
+/// x moved down: at most the predecessor and at least the second predecessor of x, for finite x (Rump, Zimmermann,
+/// Boldo, Melquiond 2009), so at or below the number that was rounded to x. Takes one multiplication and two additions
+/// instead of a library call. -inf stays; NaN stays.
 template <class T>
 inline T below(const T& x) {
   constexpr double kUlp = 0x1p-53 * (1 + 0x1p-52), kTiny = std::numeric_limits<double>::denorm_min();
@@ -33,9 +33,9 @@ template <class T>
 inline T above(const T& x) {
   return -below(-x);
 }
-/// Of a sum: one that is zero is exact, in double as in double-double, whose sums are off by a part of themselves. (So
-/// is a product with an exact zero.) An interval about zero would end in denormal numbers, and so would its products:
-/// processors take a hundred times as long for these.
+/// below() for a sum, which leaves zero: a sum that is zero is exact, in double and in double-double, whose sums are
+/// off by a part of themselves. (So is a product with an exact zero.) Moved down, zero would become a denormal number,
+/// and so would products with it: processors take a hundred times as long for these.
 template <class T>
 inline T sum_below(const T& x) {
   return select(x == T(0), x, below(x));
@@ -61,7 +61,7 @@ struct BasicInterval {
   T width() const { return upper - lower; }
   T middle() const { return T(0.5) * lower + T(0.5) * upper; }
   bool is_zero() const { return lower == T(0) && upper == T(0); }
-  /// False only if proven.
+  /// False only if the value is proven not to be zero.
   bool may_be_zero() const { return !(lower > T(0) || upper < T(0)); }
 };
 
@@ -81,7 +81,7 @@ inline BasicInterval<T> operator-(const BasicInterval<T>& a, const BasicInterval
   return a + -b;
 }
 
-/// Inline: what paths are made of, by the hundred; compilers would call it.
+/// Forced inline: paths take hundreds of these, and compilers would call it.
 template <class T>
 [[gnu::always_inline]] inline BasicInterval<T> operator*(const BasicInterval<T>& a, const BasicInterval<T>& b) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -115,7 +115,7 @@ inline bool operator<(const BasicInterval<T>& a, const BasicInterval<T>& b) {
   return a.upper < b.lower;
 }
 
-/// Exactly.
+/// Is the vector exactly zero?
 template <class T>
 inline bool is_zero(const Vec3<BasicInterval<T>>& v) {
   return v.x.is_zero() && v.y.is_zero() && v.z.is_zero();
@@ -133,7 +133,7 @@ inline double length_above(const Vec3<BasicInterval<double>>& v) {
 }
 
 namespace error_bounds {
-/// Intervals hold their own rounding: what certificates add for it elsewhere is nothing here.
+/// Intervals hold their own rounding, so certificates add nothing for it.
 template <class T>
 inline constexpr double unit_roundoff<BasicInterval<T>> = 0;
 template <class T>

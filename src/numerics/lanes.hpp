@@ -45,7 +45,7 @@ inline unsigned bits(const xsimd::batch_bool<T, Arch>& mask) {
 #endif
 }
 
-/// How many bits are set. REQUIRES (not checked: lanes): no bit beyond the lanes of floats.
+/// The number of bits that are set. REQUIRES (not checked: lanes): no bit beyond the lanes of floats.
 inline int count_bits(unsigned mask) {
   if constexpr (kFloatLanes == 4)  // the baseline has no instruction for it
     return static_cast<int>(0x4332322132212110u >> (4 * mask) & 15);
@@ -74,9 +74,9 @@ inline FloatLanes to_float(const DoubleLanes& low, const DoubleLanes& high) {
 #endif
 }
 
-/// Of all lanes.
+/// The least of all lanes.
 inline float least(const FloatLanes& lanes) {
-  FloatLanes fours = lanes;  // in the first lane of each four: of its four
+  FloatLanes fours = lanes;  // in the first lane of each four: the least of the four
 #if XSIMD_WITH_AVX512F
   fours = min(fours, FloatLanes(_mm512_permute_ps(fours, 0xb1)));
   fours = min(fours, FloatLanes(_mm512_permute_ps(fours, 0x4e)));
@@ -94,7 +94,7 @@ inline float least(const FloatLanes& lanes) {
 
 inline float greatest(const FloatLanes& lanes) { return -least(-lanes); }
 
-/// The first seven columns of rows of eight floats: row `index[i]` of `rows` in lane i.
+/// Loads the first seven columns of rows of eight floats: lane i gets row `index[i]` of `rows`.
 inline void load_columns(const float (*rows)[8], const std::int32_t* index, FloatLanes (&columns)[7]) {
 #if XSIMD_WITH_SSE2
   constexpr int kQuarters = static_cast<int>(FloatLanes::size) / 4;
@@ -125,7 +125,7 @@ inline void load_columns(const float (*rows)[8], const std::int32_t* index, Floa
   const auto high_pairs = [](Raw a, Raw b) { return _mm_shuffle_ps(a, b, 0xee); };
   const auto join = [](const __m128(&q)[kQuarters]) { return q[0]; };
 #endif
-  // Quarter q of four registers: a square of four rows by four columns, turned where it is.
+  // Quarter q of four registers is a square of four rows by four columns, transposed in place.
   for (std::size_t half = 0; half < 2; ++half) {
     Raw r[4];
     for (int i = 0; i < 4; ++i) {
@@ -183,8 +183,8 @@ template <>
 struct Masked<TAMIS_ISA::DoubleLanes> : MaskedByComparison<TAMIS_ISA::DoubleLanes> {};
 #endif
 
-/// A ratio without a division, which costs as much as twenty other operations: a guess at 1/b from its bits, within
-/// 5.1%, then a step of Newton that squares the error. Measured over all mantissas: 2.56e-3 (numerics/lanes_test).
+/// A ratio without a division, which costs as much as twenty other operations: the bits of b give a guess at 1/b,
+/// within 5.1%, and a step of Newton squares its error. Measured over all mantissas: 2.56e-3 (numerics/lanes_test).
 /// REQUIRES (not checked: lanes): |b| in [2^-100, 2^100].
 template <>
 struct Ratio<TAMIS_ISA::FloatLanes> {

@@ -6,7 +6,7 @@
 
 namespace tamis {
 
-/// As short as it can be so that it reads back as the same double: std::to_string(-1e-9) is "-0.000000".
+/// The shortest text that reads back as the same double: std::to_string(-1e-9) is "-0.000000".
 inline std::string number_text(double number) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};

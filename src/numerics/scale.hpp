@@ -5,11 +5,11 @@
 
 namespace tamis {
 
-/// What scale_below_one() makes of the largest doubles is smaller than this.
+/// Any finite double times its scale_below_one() is smaller than this.
 inline constexpr double kLargestScaled = 4;
 
-/// The power of two that brings `size` into [1/2, 1), as far as the normal range of double goes: exact to multiply
-/// with. 1 where `size` is zero, infinite or NaN. Sizes from 2^1022 on stay above 1.
+/// The power of two that brings `size` into [1/2, 1), within [2^-1022, 2^1000]: a normal double, exact to multiply
+/// with. 1 where `size` is zero, infinite or NaN. Sizes from 2^1022 on stay at 1 or above.
 inline double scale_below_one(double size) {
   if (!(size > 0) || std::isinf(size)) return 1;
   return std::ldexp(1.0, std::clamp(-1 - std::ilogb(size), -1022, 1000));

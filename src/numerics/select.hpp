@@ -11,15 +11,15 @@ template <class T>
 using Mask = decltype(std::declval<T>() > std::declval<T>());
 
 inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
-/// As x86's instructions have it: b where either is NaN. Those of ARM make NaN of it.
+/// b where either is NaN, as of x86's instructions; ARM's return NaN.
 inline double min(double a, double b) { return a < b ? a : b; }
 inline double max(double a, double b) { return a > b ? a : b; }
 inline double abs(double a) { return std::fabs(a); }
 inline double sqrt(double a) { return std::sqrt(a); }
 inline bool any(bool mask) { return mask; }
 
-/// Selections: those in which one side is a constant, where a mask is as wide as what it selects an operation each; and
-/// those that rely on what becomes of NaN, on every instruction set.
+/// Selections that lanes specialize: those with a constant on one side are one operation where a mask is as wide as the
+/// numbers; min_number and max_number treat NaN alike on every instruction set.
 template <class T>
 struct Masked {
   template <class Mask>
@@ -35,8 +35,7 @@ struct Masked {
   static T max_number(const T& a, const T& b) { return max(a, b); }
 };
 
-/// a / b, off by at most kError of itself. REQUIRES (not checked: lanes): b is not 0 where the
-/// result is used.
+/// a / b, off by at most kError of itself. REQUIRES (not checked: lanes): b is not 0 where the result is used.
 template <class T>
 struct Ratio {
   static constexpr double kError = 0x1p-53;

@@ -1,4 +1,4 @@
-// A double with an exponent of any size: an integer's leading bits.
+// A double with an exponent of any size, such as the leading bits of an integer.
 #pragma once
 #include <algorithm>
 #include <bit>
@@ -11,14 +11,15 @@
 
 namespace tamis {
 
-/// x 2^exponent; what is 2^-900 of the rest does not count, nor how much more than 2^900 of it.
+/// x 2^exponent, with the exponent cut to [-900, 900]: a term below 2^-900 of the rest of a sum does not count, nor how
+/// far one is above 2^900 of it.
 inline double times_power_of_two(double x, long exponent) {
   constexpr long kBias = 1023, kMantissaBits = 52;
   const auto biased = static_cast<std::uint64_t>(kBias + std::clamp(exponent, -900L, 900L));
   return x * std::bit_cast<double>(biased << kMantissaBits);
 }
 
-/// mantissa 2^exponent; an operation on positive ones is off by 2^-51 of the result at most.
+/// mantissa 2^exponent; operations on positive numbers are off by at most 2^-51 of the result.
 struct WideDouble {
   double mantissa = 0;
   long exponent = 0;
@@ -36,7 +37,7 @@ struct WideDouble {
   }
 
   WideDouble times_two_to(long power) const { return {mantissa, exponent + power}; }
-  /// REQUIRES: 0 <= mantissa < 4, as all the others leave it.
+  /// REQUIRES: 0 <= mantissa < 4, as the other operations leave it.
   WideDouble root() const {
     TAMIS_ASSERT(0 <= mantissa && mantissa < 4);
     const bool is_odd = exponent % 2 != 0;

@@ -1,4 +1,4 @@
-// Integers in machine words, for coordinates that fit: products are exact at the price of one multiplication, where an
+// Integers in machine words, for coordinates that fit: a product is exact and costs one multiplication, where an
 // Estimate carries a bound along. Products of products are Estimates.
 #pragma once
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace tamis {
 
-/// Below 2^63 in size: coordinates of 61 bits (exact/units.hpp), their differences, and those of velocities. REQUIRES,
-/// all operators (not checked: hot): what comes out fits.
+/// Below 2^63 in size: coordinates of 61 bits (exact/units.hpp), their differences, and differences of velocities.
+/// REQUIRES, all operators (not checked: hot): the result fits.
 struct Word {
   std::int64_t value = 0;
 
@@ -21,7 +21,7 @@ struct Word {
   friend Word operator-(Word a, Word b) { return {a.value - b.value}; }
 };
 
-/// Below 2^127: a product of two differences has 124 bits, three of them 126, and two such sums 127.
+/// Below 2^127: a product of two differences has 124 bits, a sum of three products 126, and a sum of two such sums 127.
 struct WideWord {
   __extension__ using Wide = __int128;
   Wide value = 0;

@@ -61,9 +61,8 @@ Columns inverse(const SymmetricMatrix& m) {
 
 }  // namespace
 
-/// |(I + t G) x|^2 is a quadratic in t: in each part of the time it is at least the least of its Bernstein
-/// coefficients. It is convex, so largest at an end. Parts come last first: mostly the last has the least, and one test
-/// shows that others exceed it.
+/// |(I + t G) x|^2 is quadratic in t: in each part of the time at least its least Bernstein coefficient; and convex, so
+/// largest at an end. The last part comes first: mostly it has the least, and one test shows that the others exceed it.
 StretchBounds stretch_bounds(const DisplacementGradient& gradient) {
   constexpr int kParts = 4;
   double least = 1;

@@ -17,8 +17,8 @@ struct FinePlace {
 };
 
 /// The place of those vertices that lie nearest to the next vertex by number, which most often is the other end of an
-/// edge. Nothing if they spread over more than `width`, or if there are too few vertices for the frame to matter. A
-/// guess from a sample; it depends on the step alone.
+/// edge. Nothing if they spread over more than `width`, or if there are too few vertices for speed to matter. A guess
+/// from a sample; it depends on the step alone.
 std::optional<FinePlace> place_finer_than(double width, const Step& step, std::span<const Index> used);
 
 }  // namespace tamis

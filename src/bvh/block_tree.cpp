@@ -18,7 +18,7 @@ void parallel_blocks(std::size_t count, const F& f) {
   });
 }
 
-/// The last may stay partly empty.
+/// Empties the last block, which may stay partly unfilled; the others are not initialized.
 RawArray<BoxBlock> new_blocks(std::size_t count) {
   RawArray<BoxBlock> blocks(count);
   for (int lane = 0; lane < kBlock && count > 0; ++lane) MovingBox().store_to(blocks[count - 1], lane);
@@ -61,7 +61,7 @@ void BlockTree::build(const PackedMotion& motion, const OrderAxes& by, const Tre
 void BlockTree::group_blocks() {
   std::vector<Index> below;  // groups of features, then of the blocks of each level
   for (const CornerBlock& block : corner_blocks_.all())
-    for (const Index vertex : block.vertex[0])  // empty lanes repeat a feature that there is
+    for (const Index vertex : block.vertex[0])  // empty lanes repeat a feature of the block
       below.push_back(group_of_vertex_[static_cast<std::size_t>(vertex)]);
   group_of_block_.clear();
   for (std::size_t level = 0; level < levels_.size(); ++level) {

@@ -38,13 +38,13 @@ struct TreeView {
   int leaf_blocks;
   const CornerBlock* corners;
   BlockGroups groups;
-  /// Of each block of levels[k]: does it hold a feature that is marked? Null: pairs without one are of interest, too.
+  /// For each block of levels[k]: does it hold a marked feature? Null: nothing is marked, all pairs are of interest.
   const std::uint8_t* marked[kMaxLevels];
   bool has_exclusions;  ///< by groups or marks
 };
 
-/// Does no feature of leaf block `block` of a make a pair of interest with any of block `other` of level `level` of b:
-/// as their groups may not touch, or none is marked?
+/// Can no feature of leaf block `block` of `a` make a pair of interest with one of block `other` in level `level` of
+/// `b`? Either their groups may not touch, or neither block holds a marked feature.
 [[gnu::always_inline]] inline bool are_excluded(const TreeView& a, int block, const TreeView& b, int level, int other) {
   if (a.marked[0] && !a.marked[0][block] && !b.marked[level][other]) return true;
   if (!a.groups.may_touch) return false;
@@ -52,8 +52,8 @@ struct TreeView {
   return mine >= 0 && theirs >= 0 && a.groups.may_touch[mine * a.groups.group_count + theirs] == 0;
 }
 
-/// Boxes of the features of a leaf block, `corners` vertices each, of which the first `in_use` lanes hold some; `hull`
-/// is made to include them. One of the kernels.
+/// Computes the boxes of a leaf block's features, which have `corners` vertices each and fill the first `in_use` lanes;
+/// extends `hull` by them. One of the kernels.
 using BoundLeaf = void (*)(const BoxVertex* vertices, const CornerBlock& block, int corners, int in_use,
                            const BoxMargins& margins, BoxBlock& boxes, MovingBox& hull);
 
@@ -81,12 +81,12 @@ class BlockTree {
   bool is_built() const { return is_built_; }
   /// New boxes in the old order. REQUIRES: is_built(); REQUIRES (not checked: O(n)): positions of all vertices.
   void refit(const PackedMotion& motion, const TreeKernels& kernels);
-  /// Boxes of `motion`'s residuals. REQUIRES: as above, and a residual for each vertex.
+  /// Boxes of `motion`'s residuals. REQUIRES: as refit(), and a residual for each vertex.
   void refit_residuals(const PackedMotion& motion, const TreeKernels& kernels);
 
   Index feature_count() const { return static_cast<Index>(vertices_.size() / static_cast<std::size_t>(corners_)); }
   TreeView view() const;
-  /// Marks features with a vertex that is not 0 here; empty: views have no marks. REQUIRES: is_built(), or empty.
+  /// Marks the features that have a vertex with a nonzero entry; empty: no marks. REQUIRES: is_built(), or empty.
   void mark(std::span<const std::uint8_t> of_vertex);
   /// Half the surface area of the leaf blocks' hulls, summed, in the frame of the boxes: a traversal's cost grows with
   /// it.
@@ -99,7 +99,7 @@ class BlockTree {
   }
 
  private:
-  /// Is there a group without self-contact, and another one?
+  /// Is there a group without self-contact, and any other group?
   bool separates_groups() const {
     return groups_.group_count > 1 && std::ranges::find(no_self_contact_, std::uint8_t{1}) != no_self_contact_.end();
   }
@@ -111,7 +111,7 @@ class BlockTree {
   void group_blocks();
   using Levels = std::vector<RawArray<BoxBlock>>;
 
-  /// Boxes around `vertices`.
+  /// Fills all levels with boxes around `vertices`.
   void fill(Levels& levels, const std::vector<BoxVertex>& vertices, const BoxMargins& margins,
             BoundLeaf bound_leaf) const;
 

@@ -8,11 +8,11 @@
 namespace tamis {
 namespace {
 
-/// Where more groups overlap at one place, blocks of one group each are so large that they meet more blocks of
-/// other groups than blocks by place alone meet in all.
+/// Where more groups than this overlap at one place, blocks of one group each are so large that they meet more blocks
+/// of other groups than blocks ordered by place alone meet in all.
 constexpr std::size_t kMostAtOnePlace = 3;
 
-/// Do the boxes of more than kMostAtOnePlace groups hold a feature, on average over a sample?
+/// Is a feature inside the boxes of more than kMostAtOnePlace groups, on average over a sample?
 bool overlap_much(std::span<const GroupedFeature> features, std::size_t group_count) {
   constexpr std::size_t kSampleFeatures = 64;
   const auto point_of = [](const GroupedFeature& feature) {
@@ -60,7 +60,7 @@ std::vector<Index> groups_in_space_order(std::span<const GroupedFeature> feature
 GroupOrder order_groups(std::span<const GroupedFeature> features, std::span<const std::uint8_t> no_self_contact,
                         Split split) {
   if (overlap_much(features, no_self_contact.size())) return {};
-  std::vector<std::size_t> rank(no_self_contact.size(), 0);  // those that touch themselves come first
+  std::vector<std::size_t> rank(no_self_contact.size(), 0);  // groups that touch themselves come first
   std::size_t last = 0;
   for (const Index group : groups_in_space_order(features, no_self_contact, split))
     rank[static_cast<std::size_t>(group)] = ++last;

@@ -9,26 +9,27 @@
 namespace tamis {
 namespace {
 
-/// The time of the usual order, and the weight of displacements in the other: half of a displacement is done by then.
+/// The time of positions in the usual order, and the weight of displacements beside positions: half of a displacement
+/// is done by that time.
 constexpr float kHalf = 0.5f;
-/// Blocks by position alone serve a search for a first contact, which comes before they have spread, unless they double
-/// their width sooner than this.
+/// An order by positions at the start alone serves a search for a first contact, which comes before blocks have spread,
+/// unless the blocks double their width before this time.
 constexpr double kSoon = 0.5;
-/// An order by displacements is taken if it makes blocks larger by no more than this factor, measured until blocks by
-/// position alone are twice as wide: where neighbours move together it only separates layers.
+/// An order by displacements, too, is taken if its blocks are larger by less than this factor when blocks by position
+/// alone are twice as wide: where neighbours move together, displacements only separate layers.
 constexpr double kMoreSpread = 1.25;
 
 Point lengths(const Box& box) { return {box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]}; }
 
-/// The sum over pairs of different axes of one box' length along the one times the other's along the other.
+/// The sum, over ordered pairs of different axes, of `a`'s length along the first times `b`'s along the second.
 double mixed_area(const Box& a, const Box& b) {
   const auto [x, y, z] = lengths(b);
   const Point along = lengths(a);
   return along[0] * (y + z) + along[1] * (z + x) + along[2] * (x + y);
 }
 
-/// How the area of the blocks of an order, with which a traversal's cost grows, spreads over time: boxes are as wide as
-/// their points are apart at the order's time, and widen by the differences of their displacements. The sum of the
+/// How the area of an order's blocks, with which a traversal's cost grows, spreads over time: boxes are as wide as the
+/// positions of their points at the order's time, and widen by the differences of the displacements. The sum of the
 /// areas is a quadratic in time; points that separate along a line add no area of their own, but make boxes longer.
 struct Spread {
   double constant = 0, linear = 0, quadratic = 0;  ///< coefficients of the area
@@ -41,7 +42,7 @@ struct Spread {
   double area_at(double t) const { return constant + t * linear + t * t * quadratic; }
   /// Are the blocks twice as wide, of four times the area, before the end of the step?
   bool doubles() const { return area_at(1) > kTwiceAsWide * constant; }
-  /// When they are. REQUIRES: doubles().
+  /// The time at which they are. REQUIRES: doubles().
   double doubling_time() const {
     TAMIS_ASSERT(doubles());
     if (constant == 0) return 0;
@@ -53,7 +54,7 @@ struct Spread {
   static constexpr double kTwiceAsWide = 4;
 };
 
-/// The spread of blocks of sixteen points, every sixteenth of all points being put in this order.
+/// The spread of blocks of sixteen points, made of every sixteenth of `points` in the order of `by`.
 Spread spread_of(const PackedMotion& motion, std::span<const Index> points, const OrderAxes& by, Split split) {
   const std::size_t count = points.size() / kBlock;
   CenterStore store(count, by.count());

@@ -1,4 +1,4 @@
-// By which coordinates the features of a step are ordered in a tree: positions at some time, or also displacements.
+// The coordinates by which a tree orders the features of a step: positions at some time, or also displacements.
 #pragma once
 #include "bounds/moving_boxes.hpp"
 #include "bounds/packed_motion.hpp"

@@ -11,7 +11,7 @@
 namespace tamis {
 namespace {
 
-/// What all halves share.
+/// The same for all ranges.
 struct Halving {
   const Split split;
   const Pause& pause;
@@ -60,8 +60,8 @@ Halves split_at(const CenterRange& range, std::size_t lower, const Halving& how)
   return halves;
 }
 
-/// Cuts between blocks of the largest level of which the range has several, so that every block of every level of the
-/// tree is made by such cuts.
+/// Cuts between blocks of the largest level of which the range has several, so that such cuts make every block of every
+/// level of the tree.
 void halve(const CenterRange& range, const Halving& how) {
   constexpr std::size_t kParallelFrom = 8192;
   const std::size_t count = range.count;

@@ -25,7 +25,7 @@ struct Centers {
   }
 };
 
-/// Upper bounds of the extents of some centers along each axis.
+/// Upper bounds of the extents of some centers.
 struct ExtentBounds {
   float along[Centers::kMostAxes];  ///< each axis
 };
@@ -57,8 +57,8 @@ class CenterStore {
 
 /// Orders the features such that every sixteen, every sixteen times sixteen, and so on, lie close together: by halving
 /// again and again along the longest axis. Overwrites the coordinates. Costs more than a Morton order, and saves as
-/// much on every question (docs/history/performance.md). The same for any number of threads. `ends`: where the centers
-/// are in groups, the places at which these end, ascending; groups stay one after the other.
+/// much on every question (docs/history/performance.md). The order does not depend on the number of threads. `ends`: if
+/// the centers are in groups, the places at which these end, ascending; groups stay one after the other.
 void order_in_space(const Centers& centers, std::size_t count, Split split, const Pause& pause,
                     std::span<const std::size_t> ends = {});
 

@@ -47,12 +47,12 @@ class AxisClip {
   T apart_until(const T& now, const TurningAxis<T>& axis) const {
     return (now + time_from(now, axis, T(1))) * T(1 - 4 * error_bounds::unit_roundoff<T>);
   }
-  /// A time since which, until `now`, they are.
+  /// A time since which, until `now`, all corners are proven beyond it; no earlier than `now` if nothing is proven.
   T apart_since(const T& now, const TurningAxis<T>& axis) const {
     return (now - time_from(now, axis, T(-1))) * T(1 + 4 * error_bounds::unit_roundoff<T>);
   }
-  /// Is a pair that lies beyond the separation along the axis at `now` proven to have done so during the time
-  /// `duration` before? Every corner comes nearer, or is far from the separation. Holds also where the axis is off by
+  /// A pair lies beyond the separation along the axis at `now`: is it proven to have done so during the time `duration`
+  /// before? So it is if every corner comes nearer, or is far from the separation. Holds also where the axis is off by
   /// 2 u a component.
   bool was_beyond(const T& now, const TurningAxis<T>& axis, const T& duration) const {
     const UnitAxis unit(axis);
@@ -63,7 +63,7 @@ class AxisClip {
     });
     return was;
   }
-  /// Are all corners proven beyond the separation along a direction from `now` on for ever, should the motion go on?
+  /// Are all corners proven beyond the separation along a direction, at `now` and for ever if the motion goes on?
   bool recedes_along(const T& now, const Vec3<T>& direction) const {
     bool parts = true;
     for_each_corner_bound(now, UnitAxis({direction}),
@@ -82,7 +82,7 @@ class AxisClip {
  private:
   using Corners = decltype(difference_corners<kind>(PairMotion<T>{}));
 
-  /// The axis with 1 as the direction's largest component; the turn's is `turning`.
+  /// The axis scaled to a direction whose largest component is 1; the turn's largest is `turning`.
   struct UnitAxis {
     explicit UnitAxis(const TurningAxis<T>& axis) {
       const T inverse_size = T(1) / largest_component(axis.direction);
@@ -94,7 +94,7 @@ class AxisClip {
     T turning;
   };
 
-  /// For how long, `forward` 1 or -1.
+  /// How long all corners are proven beyond the separation, after `now` (`forward` 1) or before it (-1).
   T time_from(const T& now, const TurningAxis<T>& axis, const T& forward) const {
     const UnitAxis unit(axis);
     T least = select(unit.turning > T(0), T(1) / unit.turning, T(std::numeric_limits<double>::infinity()));
@@ -111,8 +111,8 @@ class AxisClip {
     constexpr double u = error_bounds::unit_roundoff<T>;
     const auto& [n, turn, turning] = axis;
     const T error = T(u) * size_ + T(error_bounds::underflow<T>);
-    // The axis' length is at most |n| + (n.turn / |n|) x + (turn.turn / 2|n|) x^2, x = t - now: a root lies below its
-    // tangent.
+    // The axis' length is at most |n| + (n.turn / |n|) x + (turn.turn / 2|n|) x^2, x = t - now: a square root lies
+    // below its tangent.
     const T length = sqrt(dot(n, n));
     const T threshold = separation_ * length * T(1 + 8 * u) + T(error_bounds::kAxisNow) * error;
     const T slope = separation_ * (dot(n, turn) / length), bend = separation_ * (dot(turn, turn) / (T(2) * length));

@@ -7,8 +7,8 @@
 
 namespace tamis {
 
-/// u, v as in Contact; `gap`: from the closest point of the face (the first edge; the edge or second vertex of a first
-/// vertex) to the other's.
+/// u, v as in Contact; `gap`: from the closest point of the face (ee: of the first edge; ve: of the edge; vv: from the
+/// second vertex) to that of the other feature.
 template <class T>
 struct ClosestPointsOf {
   T u, v;
@@ -21,7 +21,7 @@ inline Vec3<T> select(const Mask& mask, const Vec3<T>& yes, const Vec3<T>& no) {
   return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
 }
 
-/// From the point with weights u and v on the face (the first edge; the edge) to the other's. Linear in the vectors.
+/// From the point with weights u, v of the face (first edge; edge) to the other feature's. Linear in the vectors.
 template <PairKind kind, class T>
 inline Vec3<T> gap_at(const Vec3<T>& e, const Vec3<T>& f, const Vec3<T>& d, const T& u, const T& v) {
   return kind == PairKind::edge_edge ? d + v * f - u * e : d - (u * e + v * f);
@@ -99,8 +99,8 @@ inline ClosestPoints closest_points(PairKind kind, const Vec3<double>& e, const 
   return with_kind(kind, [&](auto k) { return closest_points<k()>(e, f, d); });
 }
 
-/// The gap of the closest points, made orthogonal to the sides in whose inside these lie: rounding, a few u of the
-/// features' size, would tilt a small gap. Of any length; zero or NaN where it has no direction.
+/// The gap of the closest points, made orthogonal to the sides that have such a point in their inside: rounding, a few
+/// u of the features' size, would tilt a small gap. Of any length; zero or NaN where it has no direction.
 template <PairKind kind, class T>
 inline Vec3<T> orthogonal_gap(const Vec3<T>& e, [[maybe_unused]] const Vec3<T>& f, const ClosestPointsOf<T>& closest) {
   const T zero(0), one(1), u = closest.u, v = closest.v;

@@ -20,8 +20,8 @@ class KeptGap {
             clearance * (m.size_d + m.size_e + m.size_f);
   }
 
-  /// Does the distance exceed, until a time in [0,1], the separation, the fraction of its clearance at t=0 and the
-  /// advance clearance together? Proven by one axis, or by one in each of `parts` equal parts.
+  /// Is the distance proven to exceed, until a time in [0,1], the sum of the separation, the fraction of its clearance
+  /// at t=0 and the advance clearance? By one axis, or by one in each of `parts` equal parts.
   auto is_kept(const T& until, int parts = 1) const { return gap_.exceeds(kept_, start_, until, parts); }
 
  private:

@@ -26,7 +26,7 @@ struct NearlyClosest {
   static T clamped(const T& a) {
     return min(max(a, T(0)), T(1));
   }
-  /// For divisions: of a sum of squares.
+  /// A sum of squares, made safe to divide by.
   template <class T>
   static T not_zero(const T& a) {
     return max(a, error_bounds::constant<T>(error_bounds::underflow<T>));

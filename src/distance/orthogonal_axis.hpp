@@ -33,7 +33,7 @@ inline TurningAxis<T> orthogonal_axis(const PairMotion<T>& m, const T& t, const 
       return {axis, select(inside_e & inside_f, within, select(inside_e | inside_f, on_side, still))};
     } else {
       const auto off_corner = (u > zero) & (v > zero);
-      // A difference of the moving sides, not of their velocities: those round otherwise.
+      // The difference of the moving sides, not of their velocities, which would round otherwise.
       const Moving<T> g = m.f - m.e;
       const Vec3<T> side = select(off_corner, at_time(g, t), select(inside_e, e, f));
       const Vec3<T> on_side = along(side, select(off_corner, g.at1 - g.at0, select(inside_e, e_velocity, f_velocity)));

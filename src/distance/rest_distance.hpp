@@ -32,7 +32,8 @@ inline RestDistance<T> rest_distance(const Vec3<T>& e, const Vec3<T>& f, const V
           sqrt(dot(closest.gap, closest.gap)), error_bounds::bound<T>(error_bounds::kRestDistance, size), direction};
 }
 
-/// NearPair::direction. `unit`: along the gap of ClosestPointsOf, zero or NaN where nothing tells the direction.
+/// NearPair::direction, zero if not known. `unit`: the unit vector along the closest points' gap; zero or NaN if
+/// unknown.
 template <PairKind kind, class T>
 inline Vec3<T> near_direction(const Vec3<T>& unit) {
   const T zero(0), sign(kind == PairKind::edge_edge ? -1 : 1);  // edges have the gap from the first to the second
@@ -41,7 +42,7 @@ inline Vec3<T> near_direction(const Vec3<T>& unit) {
   return {component(unit.x), component(unit.y), component(unit.z)};
 }
 
-/// Of a pair at one time of its step.
+/// In which direction a pair is apart at one time of its step.
 template <class T>
 struct DirectionApart {
   T u, v;             ///< weights of the closest points, as in Contact
@@ -53,8 +54,8 @@ struct DirectionApart {
 template <PairKind kind, class T>
 inline DirectionApart<T> direction_apart(const PairMotion<T>& m, const T& time) {
   TAMIS_ASSERT(is_whole(m) && !any(!((time >= T(0)) & (time <= T(1)))));
-  // Where the corners of the difference are at least c g along a unit vector, g the length of the gap, the gap is no
-  // more than acos(c) off it: below sqrt(2 (1 - c)), and g is off by kGap, which is small beside what `low` lost.
+  // If all corners of the difference are at least c g along a unit vector, g being the length of the gap, the gap is no
+  // more than acos(c) off that vector: below sqrt(2 (1 - c)). g is off by kGap, which is small beside what `low` lost.
   constexpr double kSharp = 1 - 0x1p-20;
   const RestDistance<T> rest =
       rest_distance<kind>(at_time(m.e, time), at_time(m.f, time), at_time(m.d, time), m.size_d + m.size_e + m.size_f);

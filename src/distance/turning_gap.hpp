@@ -1,6 +1,6 @@
-// Is a pair proven to stay farther apart than a distance during some time? Along an axis that turns at a constant
-// rate from the closest points' gap at the start of it to that at the end, the pair's corners are quadratics in time,
-// whose Bernstein coefficients bound them from below; so a pair that turns as a whole is proven apart in one go.
+// Is a pair proven to stay farther apart than a distance during some time? Along an axis that turns at a constant rate
+// from the closest points' gap at the start of that time to the gap at its end, the pair's corners are quadratics in
+// time, whose Bernstein coefficients bound them from below; so one axis proves a pair apart that turns as a whole.
 // Error bound: kTurningGap. Cost: about 350 operations.
 #pragma once
 #include "distance/nearly_closest.hpp"
@@ -29,14 +29,14 @@ class TurningGap {
   Vec3<T> gap(const T& t) const {
     return NearlyClosest::gap<kind>(at_time(m_.e, t), at_time(m_.f, t), at_time(m_.d, t));
   }
-  /// The length, or more where squares underflow: axes are shorter than 1 then.
+  /// The length, or more where squares underflow: then an axis made with it is shorter than 1.
   static T length(const Vec3<T>& v) {
     return sqrt(max(dot(v, v), error_bounds::constant<T>(error_bounds::underflow<T>)));
   }
   static Axis axis(const T& t, const Vec3<T>& gap) { return {t, (T(1) / length(gap)) * gap}; }
   Axis at(const T& t) const { return axis(t, gap(t)); }
 
-  /// Is the distance, from one time in [0,1] to another, larger than `least` less the error?
+  /// Is the distance from one time in [0,1] to another larger than `least`, less the error kTurningGap?
   Mask<T> exceeds(const T& least, const Axis& from, const Axis& until) const {
     const T half = error_bounds::constant<T>(0.5);
     T lowest = dot(from.along, at_time(m_.d, from.time));
@@ -48,7 +48,7 @@ class TurningGap {
     return lowest > least;
   }
 
-  /// The same, as one axis, or one in each of `parts` equal parts of the time, shows.
+  /// The same, proven by one axis, or by one in each of `parts` equal parts of the time.
   Mask<T> exceeds(const T& least, Axis from, const T& until, int parts) const {
     const T share = error_bounds::constant<T>(1.0 / parts) * (until - from.time);
     Mask<T> result(true);

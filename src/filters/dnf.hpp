@@ -17,7 +17,7 @@ struct Dnf {
                         error_bounds::bound(error_bounds::kCoplanarityMiddle, unit));
   }
 
-  /// The same for every motion, straight or not, of which no vertex is ever farther than `deviation` from that of `m`
+  /// Proves free every motion, straight or not, whose vertices are never farther than `deviation` from those of `m`
   /// along any axis (docs/numerics.md: "Pairs listed ahead").
   template <PairKind kind, class T>
   static Mask<T> proves_free_though_deviating(const PairMotion<T>& m, const T& deviation) {
@@ -28,7 +28,7 @@ struct Dnf {
   }
 
  private:
-  /// All coefficients are beyond what they may be off by.
+  /// Are all coefficients of one sign, beyond their errors?
   template <class T>
   static Mask<T> has_one_sign(const std::array<T, 4>& k, const T& end, const T& middle) {
     return ((k[0] > end) & (k[1] > middle) & (k[2] > middle) & (k[3] > end)) |

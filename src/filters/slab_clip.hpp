@@ -15,7 +15,7 @@ namespace tamis {
 struct SlabClip {
   static constexpr std::string_view name = "slab";
 
-  /// Those of the coordinates alone leave nearly as little of pairs that touch, at a quarter of the cost.
+  /// Axes of the coordinates alone leave pairs that touch nearly as little time, at a quarter of the cost.
   enum class Axes { coordinates, all };
 
   /// The part of `time` in which the pair may touch.
@@ -37,7 +37,7 @@ struct SlabClip {
   }
 
  private:
-  /// What a projected difference must exceed on an axis of this length: its error and the separation, whose own
+  /// What a projected difference must exceed on an axis of this length: its error plus the separation, whose own
   /// rounding is below 8 u of itself.
   template <class T>
   static T margin_of(const PairMotion<T>& m, double axis_length) {

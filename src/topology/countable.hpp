@@ -1,4 +1,4 @@
-// Limits of size: what 32-bit indices can number of a mesh, and of an answer about it.
+// Limits of size: how much of a mesh, and of an answer about it, 32-bit indices can number.
 #pragma once
 #include <limits>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace tamis {
 
-/// What an Index can count.
+/// The largest number of an Index.
 inline constexpr auto kMostNumbers = static_cast<std::size_t>(std::numeric_limits<Index>::max());
 
 /// Edges, and the rows of faces by vertex and by edge, are numbered by Index: three sides a face and the loose edges
@@ -21,7 +21,7 @@ inline void require_countable(std::size_t faces, std::size_t loose_edges) {
                     std::to_string(kMostNumbers) + " at most; split the mesh");
 }
 
-/// The same of both ends of each edge: rows of neighbours have them all.
+/// Throws InvalidMesh unless both ends of all edges can be numbered by Index: rows of neighbours hold them all.
 inline void require_countable_ends(std::size_t edges) {
   if (edges <= kMostNumbers / 2) return;
   throw InvalidMesh("the mesh has " + std::to_string(edges) + " edges: where neighbours are asked for, as rings do, " +
@@ -35,8 +35,7 @@ inline void require_countable_pairs(std::size_t pairs) {
               " pairs: ask about parts of the mesh, or with a smaller distance");
 }
 
-/// The number of an edge, or of an item of a row, by how many come before it. REQUIRES: a mesh that is countable, so
-/// that it has one.
+/// The number of an edge, given how many come before it. REQUIRES: a countable mesh, so that the edge has a number.
 inline Index number_of(std::size_t before) {
   TAMIS_ASSERT(before <= kMostNumbers);
   return static_cast<Index>(before);

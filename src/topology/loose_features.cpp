@@ -5,7 +5,7 @@
 namespace tamis {
 namespace {
 
-/// Takes the ends of the edges out of the points.
+/// Removes the ends of the edges from the points.
 void leave_out_ends(const std::vector<Edge>& edges, std::vector<Index>& points) {
   if (points.empty() || edges.empty()) return;
   std::vector<Index> ends;
@@ -14,8 +14,8 @@ void leave_out_ends(const std::vector<Edge>& edges, std::vector<Index>& points) 
   std::erase_if(points, [&](Index p) { return std::binary_search(ends.begin(), ends.end(), p); });
 }
 
-/// Adds the vertices that are a face by themselves. Whatever else they belong to: who sees this face alone, as one of
-/// several ranks may, must know it.
+/// Adds the vertices that are a face by themselves, whatever else they belong to: where this face alone is seen, as by
+/// one of several ranks, the point must be known.
 void add_point_faces(const Mesh& mesh, std::vector<Index>& points) {
   const std::size_t known = points.size();
   for (const Face& face : mesh.faces())

@@ -16,8 +16,8 @@ inline double edge_length(const Edge& edge, const Positions& points) {
   return quick_length_of(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// Of some thousand edges, in the mesh's order, none longer than `most`; 0 without edges, and finite always. A few that
-/// are much longer than the rest, as a ground below a cloth has them, do not count.
+/// The mean of some thousand edges, spread over the mesh, none longer than `most`; 0 without edges, and always finite.
+/// A few edges that are much longer than the rest, as of a ground below a cloth, do not count.
 inline double mean_edge(const Mesh& mesh, const Positions& points,
                         double most = std::numeric_limits<double>::infinity()) {
   constexpr std::size_t kSample = 4096;
@@ -26,9 +26,9 @@ inline double mean_edge(const Mesh& mesh, const Positions& points,
   return mean_of_most(edges.size(), 1 + edges.size() / kSample, length, most);
 }
 
-/// The mean edge of the finest part, where most edges are much longer, as those of a terrain below a cloth: for what
-/// would take in all of the cloth if it were a part of the terrain's edges. Of those that are not much longer than a
-/// sixteenth of all.
+/// The mean edge of the finest part, where most edges are much longer, as of a terrain below a cloth: for limits that
+/// would span the whole cloth as a part of the terrain's edges. Of edges up to kLonger times as long as the shortest
+/// sixteenth.
 inline double mean_fine_edge(const Mesh& mesh, const Positions& points) {
   constexpr std::size_t kSample = 64, kSlivers = kSample / 16;
   constexpr double kLonger = 4;

@@ -9,7 +9,7 @@
 
 namespace tamis {
 
-/// Of each vertex the mean edge of the component that it is part of; 0 without edges. Infinite if their sum is.
+/// For each vertex, the mean edge of its component: 0 if that has no edges, infinite if the sum of their lengths is.
 inline std::vector<double> mean_edges_of_bodies(const Mesh& mesh, const Positions& points) {
   struct Sum {
     double lengths = 0, edges = 0;

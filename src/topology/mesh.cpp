@@ -33,14 +33,14 @@ void check_indices(const Elements& elements, Index vertex_count, const char* wha
 
 Edge ascending(Index a, Index b) { return a < b ? Edge{a, b} : Edge{b, a}; }
 
-/// The edge of a face's side, if it is one.
+/// An edge, as a side of a face or as a loose edge.
 struct FaceSide {
   Edge edge;
   Index face;  ///< -1 for a loose edge
   Index side;
 };
 
-/// By edge: counted into one bucket a first vertex, each of which is then sorted.
+/// Sides of faces and loose edges, sorted by edge: a counting sort by first vertex, then a sort in each bucket.
 std::vector<FaceSide> collect_sides(Index vertex_count, const std::vector<Face>& faces,
                                     const std::vector<Edge>& loose_edges) {
   const auto for_each = [&](const auto& f) {
@@ -52,7 +52,8 @@ std::vector<FaceSide> collect_sides(Index vertex_count, const std::vector<Face>&
     for (const Edge& edge : loose_edges)
       if (edge[0] != edge[1]) f(FaceSide{ascending(edge[0], edge[1]), -1, 0});
   };
-  std::vector<std::size_t> bucket_end(at(vertex_count) + 1, 0);  // of the vertex before, until it is filled
+  std::vector<std::size_t> bucket_end(at(vertex_count) + 1,
+                                      0);  // until bucket v is filled, [v] is the end of bucket v - 1
   for_each([&](const FaceSide& side) { ++bucket_end[at(side.edge[0]) + 1]; });
   std::partial_sum(bucket_end.begin(), bucket_end.end(), bucket_end.begin());
   std::vector<FaceSide> sides(bucket_end.back());
@@ -66,7 +67,7 @@ std::vector<FaceSide> collect_sides(Index vertex_count, const std::vector<Face>&
   return sides;
 }
 
-/// Of each vertex, or edge, the faces that have it, each once; `corners`: the three of each face, or -1.
+/// For each vertex (edge), the faces that have it, once each; `corners`: each face's three vertices (edges), or -1.
 IndexRows faces_by(Index count, const std::vector<std::array<Index, 3>>& corners) {
   const auto is_repeated = [](const std::array<Index, 3>& of_face, std::size_t k) {
     return (k > 0 && of_face[k] == of_face[0]) || (k == 2 && of_face[2] == of_face[1]);

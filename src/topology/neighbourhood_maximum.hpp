@@ -10,9 +10,10 @@
 
 namespace tamis {
 
-/// Of each vertex the largest number among itself and the vertices that it shares a feature with, which are those at
-/// the other end of an edge; empty if there are no numbers. Then for any second number of each vertex, the largest sum
-/// over a feature's vertices is no less than the sum of the largest of both. REQUIRES: one number a vertex, or none.
+/// For each vertex, the largest number of itself and the vertices at the other ends of its edges, which share a feature
+/// with it; empty if there are no numbers. Given a second number for each vertex, the largest sum at a vertex of a
+/// feature is no less than the feature's largest first plus its largest second number. REQUIRES: one number a vertex,
+/// or none.
 inline std::vector<double> neighbourhood_maximum(const Mesh& mesh, std::span<const double> of_vertex) {
   TAMIS_ASSERT(of_vertex.empty() || of_vertex.size() == at(mesh.vertex_count()));
   std::vector<double> largest(of_vertex.begin(), of_vertex.end());

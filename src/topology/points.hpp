@@ -1,4 +1,4 @@
-// Points as vectors, in doubles as they round.
+// Points as vectors in doubles; results are rounded.
 #pragma once
 #include "tamis/positions.hpp"
 

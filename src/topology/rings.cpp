@@ -12,7 +12,7 @@
 namespace tamis {
 namespace {
 
-/// The vertices that are so many edges from a feature, and those that are one fewer.
+/// The vertices at some number of edges from a feature, and `before`, those one edge nearer.
 struct Ring {
   explicit Ring(std::span<const Index> feature) : vertices(feature.begin(), feature.end()) { sort_once_each(); }
 

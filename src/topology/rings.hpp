@@ -9,14 +9,14 @@ namespace tamis {
 
 class Rings {
  public:
-  /// Features with fewer than `rings` edges between them are neighbours. Of one ring, those with a common vertex,
-  /// nothing is kept. REQUIRES: rings >= 1.
+  /// Features with fewer than `rings` edges between them are neighbours. For one ring, where these are features with a
+  /// common vertex, nothing is stored. REQUIRES: rings >= 1.
   Rings(const Mesh& mesh, int rings);
 
   /// Is there more than one ring? If not, only features with a common vertex are neighbours.
   bool any() const { return rings_ > 1; }
-  /// Is the shortest way along edges of the mesh, from a vertex of the one feature to one of the other, shorter than
-  /// the rings? Goes from ring to ring around both, always where there are fewer edges. REQUIRES: vertices of the mesh.
+  /// Is the shortest way along edges, from a vertex of one feature to one of the other, shorter than `rings` > 1? Grows
+  /// rings around both, each time the one with fewer edges. REQUIRES: vertices of the mesh.
   bool are_neighbours(std::span<const Index> first, std::span<const Index> second) const {
     return any() && search(first, second);
   }
@@ -27,7 +27,7 @@ class Rings {
   bool search(std::span<const Index> first, std::span<const Index> second) const;
 
   int rings_;
-  IndexRows next_to_;  ///< of each vertex those at the other end of an edge
+  IndexRows next_to_;  ///< for each vertex, its neighbours along edges
 };
 
 }  // namespace tamis

@@ -7,8 +7,8 @@
 
 namespace tamis {
 
-/// `for_each(add)`, called twice, calls add(row, item) for each item; a row has its items in that order. REQUIRES (not
-/// checked: O(n)): rows in [0, count), fewer than 2^31 items.
+/// `for_each(add)`, called twice, calls add(row, item) for each item; a row has its items in the order of these calls.
+/// REQUIRES (not checked: O(n)): rows in [0, count), fewer than 2^31 items.
 template <class ForEach>
 IndexRows rows_of(Index count, const ForEach& for_each) {
   IndexRows rows;

@@ -42,8 +42,7 @@ double growth_beside(const DisplacementGradient& gradient, const Mesh& mesh, con
 
 SharedMotion fit_shared_motion(const Mesh& mesh, const PackedMotion& motion, double fraction) {
   const double most = growth_beside({}, mesh, motion) / (1 - fraction);
-  if (!(kEdgeAdvanceClearance / (1 - fraction) < most))
-    return {};  // no gradient gains enough, whatever residuals it leaves
+  if (!(kEdgeAdvanceClearance / (1 - fraction) < most)) return {};  // no gradient can gain enough
   const auto points = mesh.points();
   const GradientFit fit = fit_gradient(motion, points, points.size() / kSampledVertices + 1);
   const StretchBounds stretch = stretch_bounds(fit.gradient);

@@ -18,8 +18,8 @@ struct SharedMotion {
   }
 };
 
-/// Fits the gradient. Returns none unless its residuals are less likely than the displacements themselves to bring
-/// pairs to `fraction` of their distance.
+/// Fits the gradient. Returns no gradient unless its residuals are less likely than the displacements themselves to
+/// bring pairs to `fraction` of their distance.
 SharedMotion fit_shared_motion(const Mesh& mesh, const PackedMotion& motion, double fraction);
 
 }  // namespace tamis

@@ -11,7 +11,7 @@
 namespace tamis {
 namespace {
 
-/// The same for all ranges.
+/// Shared by all ranges.
 struct Halving {
   const Split split;
   const Pause& pause;

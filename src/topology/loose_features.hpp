@@ -7,9 +7,8 @@
 namespace tamis {
 
 struct LooseFeatures {
-  std::vector<Edge> edges;  ///< of no face, in the mesh's order
-  std::vector<Index>
-      points;  ///< of no face and no edge, or of a face that is one vertex and so has no edges; ascending
+  std::vector<Edge> edges;    ///< of no face, in the mesh's order
+  std::vector<Index> points;  ///< of no face and no edge, or a face that is one vertex (so has no edges); ascending
 
   explicit LooseFeatures(const Mesh& mesh);
 };

@@ -52,8 +52,7 @@ std::vector<FaceSide> collect_sides(Index vertex_count, const std::vector<Face>&
     for (const Edge& edge : loose_edges)
       if (edge[0] != edge[1]) f(FaceSide{ascending(edge[0], edge[1]), -1, 0});
   };
-  std::vector<std::size_t> bucket_end(at(vertex_count) + 1,
-                                      0);  // until bucket v is filled, [v] is the end of bucket v - 1
+  std::vector<std::size_t> bucket_end(at(vertex_count) + 1, 0);  // [v]: end of bucket v - 1 until v is filled
   for_each([&](const FaceSide& side) { ++bucket_end[at(side.edge[0]) + 1]; });
   std::partial_sum(bucket_end.begin(), bucket_end.end(), bucket_end.begin());
   std::vector<FaceSide> sides(bucket_end.back());

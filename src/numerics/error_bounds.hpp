@@ -142,8 +142,8 @@ inline constexpr double kBoxAdvanceClearance = 6 * kAdvanceClearance;
 
 namespace tamis {
 
-/// A computed sum, product, quotient or root of doubles >= 0, times this, is no less than the exact one: each operation
-/// loses at most u of itself, and 2^12 of them less than this adds. Callers add what may underflow.
+/// The result of sums, products, quotients and roots of doubles >= 0, times this, is no less than without rounding:
+/// each loses at most u of itself, and 2^12 of them less than this adds. Callers add what may underflow.
 inline constexpr double kRoundedUp = 1 + 0x1p-40;
 
 }  // namespace tamis

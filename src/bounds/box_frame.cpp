@@ -11,7 +11,7 @@
 namespace tamis {
 namespace {
 
-/// 2^-23: the roundings listed at BoxFrame::margin sum to under half of it.
+/// The roundings listed at BoxFrame::margin sum to 2^-24 + 2^-53.
 constexpr float kRounding = 0x1p-23f;
 
 /// The boxes of some vertices at both ends of the step, and how many vertices they hold.

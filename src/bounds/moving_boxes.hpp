@@ -1,7 +1,6 @@
 // Axis-aligned boxes at t=0 and at t=1, sixteen to a block. Their linear interpolation contains the feature at every t,
 // so two features can touch only while their interpolated boxes meet (formulas: constant-axis and slab tests).
 #pragma once
-#include <array>
 #include <cstdint>
 
 namespace tamis {

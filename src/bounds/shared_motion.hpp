@@ -7,8 +7,8 @@
 namespace tamis {
 
 struct SharedMotion {
-  bool is_any = false;    ///< is there a gradient?
-  GradientFit fit = {};   ///< else zero
+  bool has_gradient = false;
+  GradientFit fit = {};   ///< zero without a gradient
   StretchBounds stretch;  ///< of the gradient
 
   /// A vertex' displacement less the shared motion, in the frame of the boxes.

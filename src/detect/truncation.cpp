@@ -10,7 +10,6 @@
 #include "query/pair_vertices.hpp"
 #include "topology/at.hpp"
 #include "topology/mean_edge.hpp"
-#include "topology/mean_edges_of_bodies.hpp"
 #include "topology/neighbourhood_maximum.hpp"
 
 namespace tamis {

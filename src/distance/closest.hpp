@@ -16,11 +16,6 @@ struct ClosestPointsOf {
 };
 using ClosestPoints = ClosestPointsOf<double>;
 
-template <class Mask, class T>
-inline Vec3<T> select(const Mask& mask, const Vec3<T>& yes, const Vec3<T>& no) {
-  return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
-}
-
 /// From the point with weights u, v of the face (first edge; edge) to the other feature's. Linear in the vectors.
 template <PairKind kind, class T>
 inline Vec3<T> gap_at(const Vec3<T>& e, const Vec3<T>& f, const Vec3<T>& d, const T& u, const T& v) {

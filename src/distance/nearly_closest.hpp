@@ -60,9 +60,7 @@ struct NearlyClosest {
 
   template <class T>
   static void keep_shorter(Vec3<T>& best, const Vec3<T>& other) {
-    const auto is_shorter = dot(other, other) < dot(best, best);
-    best = {select(is_shorter, other.x, best.x), select(is_shorter, other.y, best.y),
-            select(is_shorter, other.z, best.z)};
+    best = select(dot(other, other) < dot(best, best), other, best);
   }
 };
 

@@ -1,7 +1,6 @@
 // The constant axes of the k-DOPs, in an order such that every family is a prefix: 3 axes are the box, 8 the 16-DOP,
 // 9 the 18-DOP, 13 the 26-DOP (Klosowski et al. 1998).
 #pragma once
-#include <cmath>
 #include <cstddef>
 #include <utility>
 

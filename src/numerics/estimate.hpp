@@ -3,7 +3,6 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "numerics/assert.hpp"
 #include "numerics/double_double.hpp"

@@ -17,26 +17,17 @@ inline constexpr std::size_t kVerticesPerPart = 1024;
 
 inline bool has_other_threads() { return tbb::this_task_arena::max_concurrency() > 1; }
 
-/// Calls f(begin, end) for parts of a loop longer than `grain`. Without other threads, parts are sixteen times as long:
-/// short enough that a check for cancellation between them runs often, and so few that the parts cost nothing.
+/// Calls f(begin, end) for parts of 0 to `count`. A loop no longer than `grain` stays with this thread: handing it over
+/// costs a tenth of a whole question about a mesh of a dozen triangles. Without other threads, parts are sixteen times
+/// as long: short enough that a check for cancellation between them runs often, and so few that the parts cost nothing.
 template <class Count, class F>
-void in_several_parts(Count count, Count grain, const F& f) {
-  if (has_other_threads())
+void in_parts(Count count, Count grain, const F& f) {
+  if (count > grain && has_other_threads())
     return tbb::parallel_for(tbb::blocked_range<Count>(0, count, static_cast<std::size_t>(grain)),
                              [&](const tbb::blocked_range<Count>& part) { f(part.begin(), part.end()); });
   const Count larger = 16 * grain;
   for (Count begin = 0; begin < count; begin += std::min(larger, count - begin))
     f(begin, begin + std::min(larger, count - begin));
-}
-
-/// Calls f(begin, end) for parts of 0 to `count`. A loop no longer than `grain` stays with this thread: handing it over
-/// costs a tenth of a whole question about a mesh of a dozen triangles.
-template <class Count, class F>
-void in_parts(Count count, Count grain, const F& f) {
-  if (count > grain)
-    in_several_parts(count, grain, f);
-  else if (count > 0)
-    f(Count{0}, count);
 }
 
 /// Calls f(item) for all items, in parts.

@@ -1,8 +1,8 @@
 // SIMD lanes: xsimd batches for arithmetic, and what its Debian version lacks (a mask as bits, columns of rows).
 // Include only from the kernels, which are compiled once per instruction set.
 #pragma once
-#include <array>
 #include <cstdint>
+#include <limits>
 #include <xsimd/xsimd.hpp>
 
 #include "numerics/error_bounds.hpp"

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "numerics/vec.hpp"
+
 namespace tamis {
 
 /// Result of a comparison: bool for double, a lane mask for SIMD lanes.
@@ -11,6 +13,10 @@ template <class T>
 using Mask = decltype(std::declval<T>() > std::declval<T>());
 
 inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
+template <class Mask, class T>
+inline Vec3<T> select(const Mask& mask, const Vec3<T>& yes, const Vec3<T>& no) {
+  return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
+}
 /// b where either is NaN, as of x86's instructions; ARM's return NaN.
 inline double min(double a, double b) { return a < b ? a : b; }
 inline double max(double a, double b) { return a > b ? a : b; }

@@ -27,7 +27,7 @@ ClearanceBounds StepLengthQuery::clearance_bounds(double until) const {
   const auto& [least, greatest] = shared_motion.stretch;
   const double left = least - fraction, reach = until / left;
   const float stretch2 = rounded_up(greatest * greatest);
-  if (!shared_motion.is_any) return {rounded_up(reach * reach), 0, 0, stretch2};
+  if (!shared_motion.has_gradient) return {rounded_up(reach * reach), 0, 0, stretch2};
   const double per_size = error_bounds::kBoxAdvanceClearance / left;
   const double fixed = (1 - least) * separation / left;
   return {rounded_up((1 + kShare) * reach * reach), rounded_up(4 * (1 + 1 / kShare) * per_size * per_size),

@@ -28,11 +28,7 @@ class Forest {
 
 Components components_of(const Mesh& mesh) {
   Forest forest(mesh.vertex_count());
-  for (const Face& f : mesh.faces()) {
-    forest.join(f[0], f[1]);
-    forest.join(f[1], f[2]);
-  }
-  for (const Edge& e : mesh.edges()) forest.join(e[0], e[1]);
+  for (const Edge& e : mesh.edges()) forest.join(e[0], e[1]);  // sides of faces among them
 
   Components components;
   components.of_vertex.assign(at(mesh.vertex_count()), -1);

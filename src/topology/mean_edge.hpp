@@ -1,13 +1,16 @@
-// The mean edge length: the unit in which searches measure motion.
+// The mean edge length, the unit in which searches measure motion: of a mesh, of its finest part, of each body.
 #pragma once
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <vector>
 
 #include "numerics/length.hpp"
 #include "numerics/mean_of_most.hpp"
+#include "tamis/components.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"
+#include "topology/at.hpp"
 
 namespace tamis {
 
@@ -38,6 +41,26 @@ inline double mean_fine_edge(const Mesh& mesh, const Positions& points) {
   for (std::size_t i = 0; i < kSample; ++i) lengths[i] = edge_length(edges[i * edges.size() / kSample], points);
   std::ranges::nth_element(lengths, lengths.begin() + kSlivers);
   return lengths[kSlivers] > 0 ? mean_edge(mesh, points, kLonger * lengths[kSlivers]) : mean_edge(mesh, points);
+}
+
+/// For each vertex, the mean edge of its component: 0 if that has no edges, infinite if the sum of their lengths is.
+inline std::vector<double> mean_edges_of_bodies(const Mesh& mesh, const Positions& points) {
+  struct Sum {
+    double lengths = 0, edges = 0;
+  };
+  const Components components = components_of(mesh);
+  std::vector<Sum> of_component(at(components.count));
+  for (const Edge& edge : mesh.edges()) {
+    auto& [lengths, edges] = of_component[at(components.of_vertex[at(edge[0])])];
+    lengths += edge_length(edge, points);
+    ++edges;
+  }
+  std::vector<double> of_vertex(at(mesh.vertex_count()));
+  for (const Index v : mesh.points()) {
+    const auto& [lengths, edges] = of_component[at(components.of_vertex[at(v)])];
+    of_vertex[at(v)] = lengths / std::max(edges, 1.0);
+  }
+  return of_vertex;
 }
 
 }  // namespace tamis

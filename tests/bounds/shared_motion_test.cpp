@@ -58,7 +58,7 @@ double length(const Vec3<double>& v) { return std::sqrt(dot(v, v)); }
 TEST(SharedMotion, LeavesNothingOfAnObjectThatTurns) {
   const Scene scene = scene_by_name("folded-cloth", 500, 1);
   const Fitted fitted(turned(scene, 1, 1, 0));
-  ASSERT_TRUE(fitted.shared.is_any);
+  ASSERT_TRUE(fitted.shared.has_gradient);
   EXPECT_NEAR(fitted.shared.stretch.least, std::cos(0.5), 0.01);
   for (const auto& residual : fitted.residuals) EXPECT_LT(length(residual - fitted.residuals[0]), 1e-4);
 }
@@ -67,25 +67,25 @@ TEST(SharedMotion, LeavesNothingOfAnObjectThatTurns) {
 TEST(SharedMotion, IsNoneOfObjectsThatTurnAgainstEachOther) {
   const Scene cloth = scene_by_name("folded-cloth", 500, 1);
   for (const double apart : {0.0, 3.0})
-    EXPECT_FALSE(Fitted(turned(two_of(cloth, apart, 0.01), 0.5, -0.5, cloth.vertex_count())).shared.is_any);
+    EXPECT_FALSE(Fitted(turned(two_of(cloth, apart, 0.01), 0.5, -0.5, cloth.vertex_count())).shared.has_gradient);
 }
 
 // Bug: a gradient is taken whose room is more than a step so short takes of any distance.
 TEST(SharedMotion, IsNoneOfATinyMotion) {
   const Scene scene = scene_by_name("folded-cloth", 500, 1);
-  EXPECT_TRUE(Fitted(turned(scene, 0.2, 0.2, 0)).shared.is_any);
-  EXPECT_FALSE(Fitted(turned(scene, 0.03, 0.03, 0)).shared.is_any);
+  EXPECT_TRUE(Fitted(turned(scene, 0.2, 0.2, 0)).shared.has_gradient);
+  EXPECT_FALSE(Fitted(turned(scene, 0.03, 0.03, 0)).shared.has_gradient);
 }
 
 TEST(SharedMotion, IsNoneWhereNothingIsShared) {
   const Fitted fitted(scene_by_name("soup", 500, 1));
-  EXPECT_FALSE(fitted.shared.is_any);
+  EXPECT_FALSE(fitted.shared.has_gradient);
   for (std::size_t v = 0; v < fitted.residuals.size(); ++v) EXPECT_EQ(length(fitted.residuals[v] - fitted.ways[v]), 0);
 }
 
 // Bug: a gradient that leads all through one plane is taken because it leaves no residual.
 TEST(SharedMotion, IsNoneWhereDistancesShrinkToTheFraction) {
-  EXPECT_FALSE(Fitted(turned(scene_by_name("folded-cloth", 500, 1), 2.8, 2.8, 0)).shared.is_any);
+  EXPECT_FALSE(Fitted(turned(scene_by_name("folded-cloth", 500, 1), 2.8, 2.8, 0)).shared.has_gradient);
 }
 
 }  // namespace

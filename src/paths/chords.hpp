@@ -1,7 +1,7 @@
-// A pair on a piece of its path, as the motion of its chords, and what certificates say of it. With x(t) = chord(t) +
-// s(t) and |s(t)| <= deviation, both ends of the chord moved by the same s(t) give x(t): so a Bernstein coefficient
-// computed from ends that are enclosed within the deviation holds for the curve, and the filters for straight motion
-// run on intervals (docs/numerics.md, "Curved motion").
+// A pair on a piece of its path: the motion of its chords, and the certificates for the curves. With x(t) = chord(t) +
+// s(t) and |s(t)| <= deviation, moving both ends of the chord by the same s(t) gives x(t). So Bernstein coefficients
+// computed from ends that are widened by the deviation hold for the curve, and the filters for straight motion run on
+// intervals (docs/numerics.md, "Curved motion").
 #pragma once
 #include <cmath>
 
@@ -26,7 +26,7 @@ class Chords {
 
   /// The vectors of the pair at both ends, widened by the deviations.
   PairMotion<I> motion() const { return motion(deviations_); }
-  /// The same without the deviations: true at the ends only.
+  /// The same vectors without the deviations: they enclose the pair at both ends, but not between.
   PairMotion<I> at_ends() const { return motion(Deviations{}); }
 
   /// Is the pair proven farther apart than the separation: along an axis that turns linearly from the gap of the
@@ -59,7 +59,7 @@ class Chords {
             rounding_is_enclosed, rounding_is_enclosed, rounding_is_enclosed};
   }
 
-  /// An axis at one end of the piece, and how far each vertex may deviate from its chord along it, times its length.
+  /// An axis at one end of the piece, not normalized, and a bound of |n . s| for the deviation s of each vertex.
   struct Axis {
     Vec3<I> n;
     I length;
@@ -70,7 +70,7 @@ class Chords {
     for (std::size_t i = 0; i < 4; ++i) axis.deviations[i] = axis.length * I(T(deviations_[i]));
     return axis;
   }
-  /// |n . s| of a deviation s across a direction d is at most |n x d| / |d| times |s|.
+  /// A deviation s orthogonal to the direction d has |n . s| <= |n x d| / |d| |s|.
   Axis sharp_axis(const Vec3<I>& n) const {
     Axis sharp = axis(n);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -82,9 +82,9 @@ class Chords {
     return sharp;
   }
 
-  /// For features that lie, or nearly lie, in planes orthogonal to the direction d: the axis is d itself, or the
-  /// features' normal, as the planes may be tilted a little. Closest points give no axis where the gap is no larger
-  /// than rounding.
+  /// For features that lie, or nearly lie, in planes orthogonal to the direction d. Tries d itself as the axis, then
+  /// the features' normals, since the planes may be tilted a little. Closest points give no axis if the gap is no
+  /// larger than rounding.
   bool direction_proves_free(const PairMotion<I>& ends, const Vec3<I>& d, double separation) const {
     const double deviation = *std::max_element(deviations_.begin(), deviations_.end());
     const double thin = separation + 8 * std::max(deviation, from_.error);
@@ -112,7 +112,7 @@ class Chords {
   }
 
   static Vec3<I> vector(const Vec3<double>& v) { return {I(T(v.x)), I(T(v.y)), I(T(v.z))}; }
-  /// The middle of n, turned towards the first feature.
+  /// The middle of n, negated if it points away from the first feature.
   static Vec3<I> towards_first(const Vec3<I>& n, const Moment<T>& at) {
     const auto [i, j] = difference_corners(kind)[0];
     const Vec3<I> middle{I(n.x.middle()), I(n.y.middle()), I(n.z.middle())};
@@ -148,7 +148,7 @@ bool stays_inside(const PairMotion<T>& m) {
     return false;
   else if constexpr (kind == PairKind::vertex_face)
     return is_negative(m.d, m.e) && is_negative(m.d, -m.f) && is_negative(m.d - m.e, m.f - m.e);
-  else  // b0 and b1 beside the first edge, a0 and a1 beside the second
+  else  // the sides of b0 and b1 along the first edge, of a0 and a1 along the second
     return is_negative(-m.d, m.e) && is_negative(m.d + m.f, m.e) && is_negative(-m.d, m.f) &&
            is_negative(m.d - m.e, m.f);
 }

@@ -10,16 +10,16 @@
 namespace tamis {
 namespace {
 
-/// The side at the start, of a pair that is on the other one at the end; 0: that is not known.
+/// The coplanarity's sign at the start if it is certainly the opposite at the end, else 0.
 template <class T>
 int side_before_crossing(const PairMotion<BasicInterval<T>>& ends) {
   const int start = side_of(ends.e.at0, ends.f.at0, ends.d.at0), end = side_of(ends.e.at1, ends.f.at1, ends.d.at1);
   return start * end < 0 ? start : 0;
 }
 
-/// A part of [0,1], in the unit of the piece, around the place where the chords cross, as narrow as the deviations
-/// allow; a guess, which nothing relies on. REQUIRES: a side, -1 or 1. REQUIRES (not checked: history): the other at
-/// the end.
+/// A time interval, as fractions of the part, around the root of the chords' coplanarity, as narrow as the deviations
+/// allow. It is a guess: no proof relies on it. REQUIRES: `side_at_start` is -1 or 1. REQUIRES (not checked: history):
+/// the pair is on the other side at the end.
 template <class T>
 TimeInterval<double> window_of(const PairMotion<BasicInterval<T>>& widened, int side_at_start) {
   TAMIS_ASSERT(side_at_start == 1 || side_at_start == -1);
@@ -39,8 +39,8 @@ TimeInterval<double> window_of(const PairMotion<BasicInterval<T>>& widened, int 
 /// Limits for one pair: parts that are looked at in doubles; in double-double; and in double-double within one part
 /// that doubles leave undecided.
 constexpr int kMostParts = 1 << 17, kMostFineParts = 1 << 17, kMostWithinPart = 1 << 13;
-/// While deviations are larger than errors, cutting makes proofs sharper. Below that it does so only because chords
-/// turn less, which counts for parts longer than this.
+/// Cutting sharpens proofs while deviations exceed the errors of positions. Below that it helps only because chords
+/// turn less on shorter parts, which matters for parts longer than this.
 template <class T>
 constexpr double kShortest = 0x1p-6;
 template <>
@@ -60,7 +60,7 @@ class PathSolver {
   int parts_looked_at() const { return parts_.taken(); }
 
  private:
-  /// The final decision: the earliest time that cannot be proven free. Nothing: this part is free, or cut further.
+  /// The final decision if the part holds the earliest time not proven free; nothing if it is free or was cut.
   std::optional<Decision> decided_by(const PathPart<T>& part) {
     const std::array<double, 4> deviations = reader_.deviations(part.from.time, part.to.time);
     const Chords<kind, T> chords(part.from, part.to, deviations, reader_.directions());
@@ -96,7 +96,8 @@ class PathSolver {
     return start.axis_proves_free(ends) || filters_prove_free(ends);
   }
 
-  /// The end of the first part, if that is cut until it is too short.
+  /// Halves [from, to] until its first part is no longer than kShortest, or no double lies within; the end of that
+  /// part.
   static double end_of_shortest(double from, double to) {
     while (to - from > kShortest<T>) {
       const double middle = near_middle(from, to);
@@ -106,7 +107,7 @@ class PathSolver {
     return to;
   }
 
-  /// Does cutting make proofs sharper? Not by doubles where positions are as far off as features are apart.
+  /// May cutting make proofs sharper? In doubles not if the errors of positions are about as large as the gap.
   bool may_gain(const PathPart<T>& part, const std::array<double, 4>& deviations, double gap_at_start) const {
     const double error = std::max(part.from.error, part.to.error);
     if (std::is_same_v<T, double> && !(gap_at_start > 8 * error)) return false;
@@ -125,7 +126,7 @@ class PathSolver {
     return true;
   }
 
-  /// Where cutting helps this arithmetic no more: doubles ask double-double, which has the last word.
+  /// Decides a part that this arithmetic gains nothing from cutting: doubles ask double-double, whose answer is final.
   std::optional<Decision> decided_further(const PathPart<T>& part, const PairMotion<BasicInterval<T>>& widened,
                                           bool crosses) {
     if constexpr (std::is_same_v<T, double>) {

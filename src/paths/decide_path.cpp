@@ -25,7 +25,7 @@ int side_at(PairKind kind, const PairReader& reader, const Moment<double>& momen
   });
 }
 
-/// By the chord between the ends of the bracket; the side on which it begins is read from the path itself.
+/// The place on the chords between the bracket's ends; the side on which the pair begins comes from the path itself.
 ContactPlace place_on_path(const PathQuestion& question, const Decision& decision) {
   const PairKind kind = question.kind;
   const PairReader reader(question.path, question.vertices, decision.lower);
@@ -37,7 +37,7 @@ ContactPlace place_on_path(const PathQuestion& question, const Decision& decisio
   return crossing_place(chord, {0, 1}, kind == PairKind::edge_edge ? -side : side);
 }
 
-/// Proven, at one time.
+/// Is the pair proven apart at this time?
 bool is_apart_on_path(const PathQuestion& question, double time) {
   const PairReader reader(question.path, question.vertices, time);
   const auto moment = reader.at<double>(time);

@@ -18,17 +18,17 @@ struct PathQuestion {
   const std::function<bool()>& is_cancelled;
 };
 
-/// During `time`, with the meaning that Decision has for straight motion. `touches`: the
-/// bracket is no wider than the tolerance, or with a separation, than doubles can tell. Throws Cancelled. REQUIRES: a
-/// kind there is, a part of the path.
+/// Decides the pair during `time`; the Decision means the same as for straight motion. `touches`: the bracket is no
+/// wider than the tolerance, or with a separation, than doubles can tell. Throws Cancelled. REQUIRES: `kind` is a
+/// PairKind, `time` a part of [0,1].
 Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>& time);
 
 /// Recontact of a pair that may touch at the start of `time`: decides it from the first probed time at which it is
-/// proven apart. Probed are 2^-20, 2^-19, ... 2^-4 of `time` after its start, then each sixteenth. Nothing if it is
-/// proven apart at none of them.
+/// proven apart. Probes 2^-20, 2^-19, ... 2^-4 of `time` after its start, then each sixteenth. Returns nothing if the
+/// pair is proven apart at no probe.
 std::optional<Decision> decide_recontact_on_path(const PathQuestion& question, const TimeInterval<double>& time);
 
-/// With weights and normal at the contact.
+/// The result with weights and normal at the contact.
 PairResult result_on_path(const PathQuestion& question, const Decision& decision);
 
 }  // namespace tamis

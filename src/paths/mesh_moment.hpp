@@ -1,4 +1,4 @@
-// The vertices of a mesh at one time of its path, and the radii by which chords between two such times stand for
+// The vertices of a mesh at one time of its path, and the radii around chords between two such times that hold the
 // curves.
 #pragma once
 #include <algorithm>
@@ -15,16 +15,16 @@
 
 namespace tamis {
 
-/// Positions and their errors at one time, by vertex. Those of vertices that were not asked for mean nothing.
+/// Positions and their errors at one time, by vertex. Entries of vertices that were not asked for mean nothing.
 struct MeshMoment {
   double time = 0;
   std::vector<Point> points;
   std::vector<double> errors;
 };
 
-/// The radius with which a vertex on its chord stands for its curve: its deviation, the error of its positions at both
-/// ends (`error`, on each axis), and what is searched around it (PathSearch::radii_to_search). Throws InvalidPath,
-/// naming where the piece begins, unless that is finite.
+/// The radius of a vertex on its chord: its deviation, the error of its positions at both ends (`error`, on each axis),
+/// and its radius in `separations` (PathSearch::radii_to_search). Throws InvalidPath, naming the start of the piece,
+/// unless the sum is finite.
 inline double chord_radius(Index vertex, double deviation, double error, double start, const Separations& separations) {
   double radius = (deviation + kRootOfThree * kRoundedUp * error) * (1 + 0x1p-50) + 0x1p-1000;
   if (!separations.radii.empty())

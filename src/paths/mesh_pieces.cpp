@@ -54,8 +54,8 @@ void MeshPieces::read_deviations(double from, double to, std::vector<double>& de
   for (const Index v : mesh_.points()) check_deviation(v, from, to, deviations[at(v)]);
 }
 
-/// A few vertices may deviate more, as one far from an axis of rotation does: so few that there are no more pairs of
-/// them than a sixteenth of all vertices.
+/// A few vertices may deviate more than allowed, such as those far from an axis of rotation: n of them if n^2 is at
+/// most a sixteenth of the number of all vertices.
 double MeshPieces::end_of(const MeshMoment& start) {
   if (!ends_.empty()) return *std::ranges::upper_bound(ends_, start.time);
   const double allowed = deviation_in_edges_ * mean_fine_edge(mesh_, start.points);
@@ -72,7 +72,7 @@ double MeshPieces::end_of(const MeshMoment& start) {
 
 void MeshPieces::adapt_length(std::size_t pairs) {
   constexpr std::size_t kVerticesPerPairIfFew = 32, kVerticesPerPairIfMany = 8;
-  constexpr double kFactor = 4;  // a piece twice as long
+  constexpr double kFactor = 4;  // deviations of a piece twice as long
   const std::size_t vertices = mesh_.points().size();
   if (kVerticesPerPairIfFew * pairs <= vertices)
     deviation_in_edges_ = std::min(kFactor * deviation_in_edges_, kMostChordDeviationInEdges);
@@ -94,11 +94,11 @@ std::vector<double> MeshPieces::displacements() {
   return farthest;
 }
 
-/// On either half of the piece the curve is within that half's bound of the half's chord; the two chords meet where the
-/// path is in the middle. Relative to the piece's own chord they lead from 0 to an offset D, and from D to 0: at each
-/// time on the segment from 0 to D. So from the piece's chord shifted by D / 2 the curve is no farther than |D| / 2
-/// plus the larger bound of the halves. Where bounds go by the square, |D| is at most the piece's, and those of halves
-/// are a fourth of it: kShiftedChordPart.
+/// On either half of the piece the curve is within that half's bound of that half's chord; these two chords meet at the
+/// path's position in the middle. Relative to the piece's chord they lead from 0 to an offset D and back to 0, so they
+/// stay on the segment from 0 to D. Hence the curve is no farther than |D| / 2 plus the larger bound of the halves from
+/// the piece's chord shifted by D / 2. If bounds go by the square of the length, |D| is at most the piece's bound, and
+/// those of the halves are a fourth of it: 1/2 + 1/4 = kShiftedChordPart.
 void MeshPieces::shift_chords(const MeshMoment& from, const MeshMoment& to) {
   const MeshMoment middle = moment_at(0.5 * from.time + 0.5 * to.time);
   read_half_deviations(from.time, middle.time, to.time);
@@ -123,9 +123,8 @@ void MeshPieces::shift_chords(const MeshMoment& from, const MeshMoment& to) {
   }
 }
 
-/// `error` covers the errors of all three positions, which on three axes count sqrt(3) times, for which there is 2;
-/// 8 roundings of numbers no larger than `size`; and the rounding of the middle's time by 2^-53, times the
-/// displacement.
+/// `error` covers the errors of all three positions, times 2 >= sqrt(3) for the three axes; 8 roundings of numbers no
+/// larger than `size`; and the rounding of the middle's time by 2^-53, times the displacement.
 MeshPieces::ChordOffset MeshPieces::chord_offset(std::size_t v, const MeshMoment& from, const MeshMoment& middle,
                                                  const MeshMoment& to) const {
   ChordOffset result{};
@@ -141,7 +140,7 @@ MeshPieces::ChordOffset MeshPieces::chord_offset(std::size_t v, const MeshMoment
   return result;
 }
 
-/// Infinite if no double lies between `from` and `to`.
+/// Sets half_deviations_: to infinity if no double lies between `from` and `to`.
 void MeshPieces::read_half_deviations(double from, double middle, double to) {
   half_deviations_.assign(all_.size(), std::numeric_limits<double>::infinity());
   if (!(from < middle && middle < to)) return;

@@ -9,43 +9,44 @@
 
 namespace tamis {
 
-/// How far vertices, but a few, may deviate on the first piece, in mean fine edges (MeshPieces::adapt_length changes
-/// it). Longer pieces leave more pairs to be decided on parts of them, shorter ones search the whole mesh more often.
+/// How far all but a few vertices may deviate on the first piece, in mean fine edges; MeshPieces::adapt_length changes
+/// it for later pieces. Longer pieces leave more pairs to be decided on parts of them, shorter ones search the whole
+/// mesh more often.
 inline constexpr double kChordDeviationInEdges = 0x1p-6;
-/// A vertex is no farther from its shifted chord (ShiftedChords) than this part of its bound on the piece, where bounds
-/// go by the square of a piece's length.
+/// If bounds go by the square of a piece's length, a vertex is no farther from its shifted chord (ShiftedChords) than
+/// this part of its bound on the piece.
 inline constexpr double kShiftedChordPart = 0.75;
-/// Where pieces leave few pairs the next ones are longer, up to this deviation.
+/// While pieces leave few pairs, the next ones grow up to this deviation, in mean fine edges.
 inline constexpr double kMostChordDeviationInEdges = 0.25;
 
-/// Straight motions that stand for the curves on a piece: chords, shifted half way to where the path is in the middle.
-/// `deviations`: no vertex is farther from its own.
+/// Straight motions that stand for the curves on a piece: chords, shifted half way to the path's position in the middle
+/// of the piece. `deviations`: no vertex is farther from its shifted chord.
 struct ShiftedChords {
   std::vector<Point> start, end;
   std::vector<double> deviations;
 };
 
-/// Of one question. Throws InvalidPath where the path breaks its promises.
+/// The pieces of one question. Throws InvalidPath if the path breaks its promises.
 class MeshPieces {
  public:
-  /// Keeps references. `ends`: of the pieces, ascending, the last one 1; empty: as deviations ask for.
+  /// Keeps references. `ends`: of the pieces, ascending, the last one 1; if empty, deviations determine them.
   MeshPieces(const Mesh& mesh, const Path& path, std::span<const double> ends);
 
   MeshMoment moment_at(double time) const;
-  /// The end of the piece that begins at `from`. chords() are then of this piece, whose bounds are checked in its
-  /// middle.
+  /// Returns the end of the piece that begins at `from`, and sets chords() to those of this piece. Checks the path's
+  /// bounds in the middle of the piece.
   MeshMoment next(const MeshMoment& from);
   const ShiftedChords& chords() const { return chords_; }
   /// Adapts the length of the next piece to the number of pairs that the last one left undecided.
   void adapt_length(std::size_t pairs);
-  /// Of each vertex an upper bound of its distance from its start, at any time; 0 of those that take no part.
+  /// For each vertex an upper bound of its distance from its start, at any time; 0 for vertices that take no part.
   std::vector<double> displacements();
 
  private:
   /// Asks the path for deviations between two times, and checks them.
   void read_deviations(double from, double to, std::vector<double>& deviations) const;
   double end_of(const MeshMoment& start);
-  /// The vector from the chord's middle to the path's, known to `error`.
+  /// The vector from the chord's middle to the path's position there; off by at most `error`.
   struct ChordOffset {
     Point offset;
     double error;
@@ -60,9 +61,9 @@ class MeshPieces {
   const std::span<const double> ends_;
   const std::vector<Index> all_;         ///< 0, 1, 2, ...
   std::vector<double> deviations_;       ///< from the chords of a piece
-  std::vector<double> half_deviations_;  ///< the larger of the two on the halves of a piece
+  std::vector<double> half_deviations_;  ///< of each vertex the larger of those on both halves
   ShiftedChords chords_;
-  double deviation_in_edges_ = kChordDeviationInEdges;  ///< of the next piece
+  double deviation_in_edges_ = kChordDeviationInEdges;  ///< allowed on the next piece
 };
 
 }  // namespace tamis

@@ -13,11 +13,11 @@
 namespace tamis {
 namespace {
 
-/// A part with no more pairs is not cut further: these are decided.
+/// A part with no more pairs than this is not cut further: they are decided.
 constexpr std::size_t kFewPairs = 4;
-/// Deviations go by the square of the length, as on all paths here: they are then a million times smaller.
+/// Deviations go by the square of the length on all paths here: after 10 halvings they are a million times smaller.
 constexpr int kMostHalvingsOfPiece = 10;
-/// Tests in lanes: so many cost less than the decision on one pair.
+/// So many tests of a pair in lanes cost less than one decision on it.
 constexpr std::size_t kMostTestsPerPair = 64;
 
 }  // namespace

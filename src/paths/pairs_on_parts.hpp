@@ -23,7 +23,7 @@ class PairsOnParts {
 
   struct Piece {
     const Path& path;
-    Separations separations;         ///< what is searched (PathSearch)
+    Separations separations;         ///< PathSearch::searched_
     std::span<const Contact> pairs;  ///< those that chords of the whole piece do not prove free
     const MeshMoment &from, &to;
     const std::function<bool()>& is_cancelled;
@@ -31,8 +31,8 @@ class PairsOnParts {
   /// Keeps the piece's references until the next call.
   void begin(const Piece& piece);
 
-  /// The places of the pairs to be decided next, ascending: those that may touch in the earliest part that is left.
-  /// Each pair is returned once. Empty if no other pair touches until `latest`. Throws InvalidPath and Cancelled.
+  /// The places in Piece::pairs of the pairs to decide next, ascending: those that may touch in the earliest remaining
+  /// part. Returns each pair once. Empty if no other pair touches until `latest`. Throws InvalidPath and Cancelled.
   std::vector<std::int32_t> next(double latest);
 
  private:
@@ -48,7 +48,7 @@ class PairsOnParts {
     std::array<SolvedPair, PairBuffer::kCapacity> solved;
   };
 
-  /// `from` and `to` are of `vertices`, which are those of these pairs, and maybe others.
+  /// `from` and `to` are moments of `vertices`, which hold those of these pairs, and maybe others.
   Part part_of(const std::vector<Index>& vertices, const MeshMoment& from, const MeshMoment& to,
                std::vector<std::int32_t> pairs, int halvings);
   void halve(const Part& part);
@@ -61,9 +61,9 @@ class PairsOnParts {
   std::vector<Part> parts_;  ///< the earliest last
   std::size_t tests_left_ = 0;
   std::vector<char> is_given_, may_touch_;  ///< of each pair of the piece
-  std::vector<Index> place_;                ///< of each vertex of the mesh: among those of a part
-  std::vector<PackedVertex> vertices_;      ///< of a half, and behind them what other parts have left
-  /// Pointers: TBB fills with zeros what it makes room for.
+  std::vector<Index> place_;                ///< of each vertex of the mesh among those of a part
+  std::vector<PackedVertex> vertices_;      ///< of a half; entries behind these are leftovers of other parts
+  /// Pointers, since TBB fills the memory of its elements with zeros.
   tbb::enumerable_thread_specific<std::unique_ptr<Scratch>> scratch_{
       [] { return std::make_unique_for_overwrite<Scratch>(); }};
 };

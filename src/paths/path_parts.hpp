@@ -25,7 +25,7 @@ class PathParts {
     parts_.push_back({reader.at<T>(time.t_in), reader.at<T>(time.t_out)});
   }
 
-  /// Takes the earliest undecided part; none is left if nothing. Throws Cancelled.
+  /// Takes the earliest undecided part; nothing if none is left. Throws Cancelled.
   std::optional<PathPart<T>> next() {
     constexpr int kPartsBetweenChecks = 64;  // some milliseconds at most
     if (parts_.empty()) return std::nullopt;

@@ -12,7 +12,7 @@
 namespace tamis {
 namespace {
 
-/// A moment of which the first `count` points are known.
+/// Completes a moment of which only the first `count` points are set.
 template <class T>
 Moment<T> completed(Moment<T> moment, std::size_t count) {
   using I = BasicInterval<T>;
@@ -32,8 +32,8 @@ StraightDirection direction_of(Index vertex, const Point& given) {
   if (size == 0) return {};
   const double scale = scale_below_one(size);
   const Vec3<double> d{scale * given[0], scale * given[1], scale * given[2]};
-  if (Point{d.x / scale, d.y / scale, d.z / scale} != given) return {};  // some of it is lost
-  return {d, 1 / std::sqrt(dot(d, d)) * (1 + 0x1p-48)};                  // off by 4 u before
+  if (Point{d.x / scale, d.y / scale, d.z / scale} != given) return {};  // scaling has lost digits
+  return {d, 1 / std::sqrt(dot(d, d)) * (1 + 0x1p-48)};                  // off by 4 u without the factor
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What a path says of the vertices of a pair, checked: a bound that is negative or not a number is the caller's
-// mistake, and says so.
+// Reads the vertices of a pair from its path, and checks the path's answers: a bound that is negative or not a number
+// is the caller's mistake, and throws InvalidPath.
 #pragma once
 #include <array>
 
@@ -10,7 +10,7 @@
 
 namespace tamis {
 
-/// Throw InvalidPath, naming vertex and time.
+/// Throw InvalidPath, naming vertex and time, unless the point is finite and the error, or the deviation, is >= 0.
 void check_point(Index vertex, double time, const Point& point, double error);
 void check_deviation(Index vertex, double from, double to, double deviation);
 
@@ -22,7 +22,7 @@ struct Moment {
   double error = 0;  ///< the width of the widest interval
 };
 
-/// A direction along which a vertex goes straight, and one by its length, rounded up; zeros: none is known.
+/// A direction along which a vertex goes straight, and 1 / its length, rounded up; zeros if none is known.
 struct StraightDirection {
   Vec3<double> direction{0, 0, 0};
   double per_length = 0;
@@ -32,20 +32,20 @@ struct StraightDirection {
 using StraightDirections = std::array<StraightDirection, 4>;
 inline constexpr StraightDirections kNoDirections{};
 
-/// Asks for the vertices at a time; lengths times the power of two that brings them to the size of the pair.
+/// Reads the vertices at a time, with all lengths multiplied by the power of two that brings the pair's size below 1.
 class PairReader {
  public:
-  /// Keeps the reference. Vertices as in Contact: those that the kind does not use are -1, and stand at the first one.
-  /// The size of the pair is that at `time_of_unit`.
+  /// Keeps the reference. Vertices as in Contact: those that the kind does not use are -1, and get the position of the
+  /// first. The power of two comes from the pair's size at `time_of_unit`.
   PairReader(const Path& path, const PairVertices& vertices, double time_of_unit);
 
   double scale() const { return scale_; }
   const StraightDirections& directions() const { return directions_; }
 
-  /// `T`: double asks points_at, DoubleDouble fine_points_at.
+  /// Calls the path's points_at for T = double, fine_points_at for DoubleDouble.
   template <class T>
   Moment<T> at(double time) const;
-  /// Of each vertex on [from, to].
+  /// Those of each vertex on [from, to], scaled.
   std::array<double, 4> deviations(double from, double to) const;
 
  private:

@@ -21,10 +21,10 @@ namespace {
 
 /// Pairs that are decided in parallel, between two checks for cancellation.
 constexpr std::size_t kBatch = 256;
-/// Of the first batch, where a first contact spares the rest.
+/// Size of the first batch if the question ends with the first contact, which spares the rest.
 constexpr std::size_t kFirstBatch = 8;
 
-/// Ascending, each once.
+/// The vertices of these pairs, ascending, each once.
 std::vector<Index> vertices_of(std::span<const Contact> pairs, std::span<const std::int32_t> places) {
   std::vector<Index> vertices;
   for (const std::int32_t place : places)
@@ -65,9 +65,9 @@ PathSearch::PathSearch(const Mesh& mesh, const Options& options, const Rings& ri
   TAMIS_ASSERT(asked.separations.radii.empty() || asked.separations.radii.size() == at(mesh.vertex_count()));
 }
 
-/// A pair of clearance c that keeps no more than f c has lost (1 - f) c, which is no more than both features'
-/// displacements together; f c is f / (1 - f) of these. Each feature has its own, so that it depends on the pair alone
-/// whether it is looked at.
+/// A pair of clearance c that keeps no more than f c has lost (1 - f) c, which is at most w, both features'
+/// displacements together. So f c is at most f / (1 - f) w. Each feature adds its own displacement's part: so whether a
+/// pair is looked at depends on the pair alone.
 std::vector<double> PathSearch::radii_to_search() {
   std::vector<double> radii = neighbourhood_maximum(mesh_, asked_.separations.radii);
   if (asked_.keep == 0) return radii;
@@ -127,7 +127,8 @@ void PathSearch::decide_all(Question question, const MeshMoment& from, const Mes
   std::size_t most = question == Question::all_contacts ? kBatch : kFirstBatch;
   for (std::vector<std::int32_t> places = parts_.next(latest); !places.empty(); places = parts_.next(latest))
     for (std::span<const std::int32_t> rest = places; !rest.empty(); most = std::min(2 * most, kBatch)) {
-      // By the pairs' times on the whole piece, which ascend: those behind are later than what has been found.
+      // Pairs ascend by their times on the whole piece: this one and those behind it touch later than the contact
+      // found.
       if (start + pairs[at(rest.front())].toi_lower * length * (1 - 0x1p-40) > latest) break;
       const std::size_t count = std::min(most, rest.size());
       const double touched_by = decide(piece, rest.first(count));

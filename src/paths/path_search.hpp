@@ -1,5 +1,5 @@
-// Conducts the questions about a mesh on a path: piece by piece a linear question in which every vertex has its
-// deviation as radius; each pair that this leaves is decided on its curves.
+// Answers questions about a mesh on a path. Piece by piece it asks a linear question in which deviations are added to
+// the vertices' radii, and decides each pair that the linear question leaves on its curves.
 #pragma once
 #include <map>
 #include <set>
@@ -21,14 +21,14 @@ struct MeshOnPath {
   const Separations& separations;
   double tolerance;
   bool ignores_start = false;         ///< as in Query
-  std::span<const double> ends = {};  ///< of the pieces, ascending, the last one 1; empty: as deviations ask for
-  /// In [0, 1): the part of its clearance at t=0 that a pair must keep. If it is not 0, a pair counts as touching where
-  /// no more is left.
+  std::span<const double> ends = {};  ///< of the pieces, ascending, the last 1; if empty, by deviations
+  /// In [0, 1): the part of its clearance at t=0 that a pair must keep. If not 0, a pair counts as touching once no
+  /// more than this part is left.
   double keep = 0;
 };
 
-/// One question, asked once. Throws InvalidPath: a path of another number of vertices, or one that breaks its promises.
-/// Runs in the caller's oneTBB arena.
+/// One question, asked once. Throws InvalidPath if the path has another number of vertices or breaks its promises. Runs
+/// in the caller's oneTBB arena.
 class PathSearch {
  public:
   /// Keeps references. REQUIRES: a finite fixed separation >= 0, radii of all vertices or none, a tolerance > 0.
@@ -38,20 +38,20 @@ class PathSearch {
 
   /// Every pair that touches, once, in no order; for `earliest` and `is_free` the search ends soon after the first.
   std::vector<Contact> find(Question question);
-  /// How far all vertices may go so that every pair keeps its part.
+  /// The fraction of the path that all vertices may go so that every pair keeps its part of its clearance.
   SafeStep find_step_length();
 
  private:
   using PairKey = std::tuple<PairKind, PairVertices>;
   static PairKey key_of(const Contact& pair) { return {pair.kind, pair.vertices}; }
 
-  /// Of each vertex how far around it pairs are looked for, besides the fixed separation.
+  /// For each vertex the distance around it in which pairs are searched, beyond the fixed separation.
   std::vector<double> radii_to_search();
   /// Leaves in candidates_ the pairs whose chords come within searched_ on a piece.
   void search_chords(const MeshMoment& from, const MeshMoment& to);
   /// Decides these pairs on their curves.
   void decide_all(Question question, const MeshMoment& from, const MeshMoment& to);
-  /// Decides some of them, in parallel. Returns the earliest end of a bracket among those that touch.
+  /// Decides the candidates at these places, in parallel. Returns the earliest end of a bracket, else the piece's.
   double decide(const TimeInterval<double>& piece, std::span<const std::int32_t> places);
   /// Is the pair, which is ignored at the start, still in its first contact at this time, the start of a piece?
   bool is_in_first_contact(const Contact& pair, double time) const {

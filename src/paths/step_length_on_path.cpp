@@ -22,7 +22,7 @@ KeptSeparation kept_separation(const Path& path, PairKind kind, const PairVertic
   return {kept(low) * (1 - 0x1p-50), kept(high) * (1 + 0x1p-50) + 0x1p-1000, !(low > separation)};
 }
 
-/// Of the rounded positions at t=0, in their own unit.
+/// The near pair of the rounded positions at t=0; its distance is in the path's unit.
 NearPair near_pair_at_start(const Path& path, PairKind kind, const PairVertices& vertices) {
   const PairReader reader(path, vertices, 0);
   const auto moment = reader.at<double>(0);

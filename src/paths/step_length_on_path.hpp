@@ -1,5 +1,5 @@
-// Step lengths on curves: what a pair must keep of its distance at t=0 is a separation, and when it is reached is asked
-// as of any other.
+// Step lengths on curves. The distance that a pair must keep counts as its separation: the time at which it is reached
+// is found as with any other separation.
 #pragma once
 #include "motion/pair_kinds.hpp"
 #include "narrow/kept_distance.hpp"
@@ -8,10 +8,10 @@
 
 namespace tamis {
 
-/// D + F (distance at t=0 - D), between proven bounds.
+/// Proven bounds of the distance that a pair must keep, D + F (distance at t=0 - D).
 struct KeptSeparation {
   double low, high;
-  bool may_start_within;  ///< D: not proven apart at t=0
+  bool may_start_within;  ///< not proven farther apart than D at t=0
 };
 KeptSeparation kept_separation(const Path& path, PairKind kind, const PairVertices& vertices, const DistanceRule& rule);
 

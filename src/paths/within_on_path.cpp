@@ -13,10 +13,10 @@ namespace tamis {
 namespace {
 
 constexpr int kMostPartsWithin = 1 << 16;
-/// The share of the rest of a part that is tested next, after a time from which the chords are not proven apart.
+/// The share of a part's rest that is tested next, once the chords are no longer proven apart.
 constexpr double kNext = 0x1p-5;
 
-/// Zero where it may be anywhere: there an infinite error says so.
+/// Zero for an unbounded interval: the moment's infinite error covers that.
 double finite_middle(const Interval& x) {
   const double middle = x.middle();
   return std::isfinite(middle) ? middle : 0;

@@ -6,18 +6,18 @@
 
 namespace tamis {
 
-/// The middles of two moments; finite, also where an error is not.
+/// The middles of the intervals at two moments; finite even where an error is not.
 PairPoints points_between(const Moment<double>& from, const Moment<double>& to);
 
-/// By how much the distance of two points, one of each feature, can differ from that of their intervals' middles: by
-/// sqrt(3) half widths each; given twice that, as middles are rounded. `error`: of their moment.
+/// A bound of the difference between the distance of two points, one of each feature, and that of their intervals'
+/// middles: sqrt(3) half widths for each point, doubled because middles are rounded. `error`: Moment::error.
 inline double position_slack(double error) { return 4 * error + 0x1p-999; }
 
 /// At one time: is the distance beyond the separation, certainly?
 bool is_apart_at(PairKind kind, const Moment<double>& moment, double separation);
 
-/// As decide_on_path. REQUIRES: a separation > 0, a part of the path. REQUIRES (not checked: history): `reader` reads
-/// the question's pair.
+/// As decide_on_path. REQUIRES: a separation > 0, `time` is a part of [0,1]. REQUIRES (not checked: history): `reader`
+/// reads the question's pair.
 Decision first_within_on_path(const PathQuestion& question, const PairReader& reader, const TimeInterval<double>& time);
 
 }  // namespace tamis

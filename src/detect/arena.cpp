@@ -7,7 +7,7 @@
 namespace tamis {
 namespace {
 
-/// Asked for more, oneTBB warns on stderr, and has no memory for a million.
+/// The most threads to ask oneTBB for: beyond these it warns on stderr, and a million exhausts its memory.
 int most_threads() {
   return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }

@@ -18,7 +18,7 @@ class Arena {
     else
       isolated(work);
   }
-  /// For the work itself: how many threads there are.
+  /// The arena's number of threads; to be called by the work.
   static int threads_here() { return tbb::this_task_arena::max_concurrency(); }
 
  private:

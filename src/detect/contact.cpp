@@ -30,7 +30,7 @@ std::string text_of(const Face& f) {
   return std::to_string(f[0]) + ", " + std::to_string(f[1]) + ", " + std::to_string(f[2]);
 }
 
-/// The mesh's own order of these vertices.
+/// The mesh's own order of a face's vertices; empty if the mesh has no such face.
 std::string known_order(const Mesh& mesh, Face face) {
   std::sort(face.begin(), face.end());
   do

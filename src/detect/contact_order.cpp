@@ -10,15 +10,15 @@
 namespace tamis {
 namespace {
 
-/// With fewer contacts the buckets would be most of the work.
+/// With at most one contact for so many vertices, the buckets would be most of the work.
 constexpr std::size_t kVerticesPerContact = 64;
-/// In a part of a loop: well below a millisecond.
+/// The parts of loops that threads share: each takes well below a millisecond.
 constexpr std::size_t kContactsPerPart = 4096, kBucketsPerPart = 512;
 
 }  // namespace
 
-/// A counting sort into one bucket a kind and first vertex, then each small bucket by the other vertices, which lie
-/// together with the contact's place: contacts are looked at once and moved once.
+/// A counting sort into one bucket for each kind and first vertex, then a sort of each small bucket by the other
+/// vertices. Entries hold these vertices and the contact's place: contacts are read once and moved once.
 void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count, const std::function<void()>& pause) {
   if (contacts.size() <= at(vertex_count) / kVerticesPerContact)
     return std::sort(contacts.begin(), contacts.end(), comes_before);
@@ -38,8 +38,8 @@ void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count, con
     for (std::size_t b = first_bucket; b != end_bucket; ++b)
       if (counting_.end_of(b) > counting_.begin_of(b) + 1)
         std::sort(begin + counting_.begin_of(b), begin + counting_.end_of(b), is_before);
-    constexpr std::uint32_t kFetched = 8;                        // contacts lie scattered
-    const std::uint32_t end = counting_.end_of(end_bucket - 1);  // what is behind it may be being sorted
+    constexpr std::uint32_t kFetched = 8;                        // contacts ahead: they lie scattered
+    const std::uint32_t end = counting_.end_of(end_bucket - 1);  // another thread may be sorting entries behind it
     for (std::uint32_t i = counting_.begin_of(first_bucket); i < end; ++i) {
       if (i + kFetched < end) __builtin_prefetch(&contacts[entries_[i + kFetched].place]);
       sorted_[i] = contacts[entries_[i].place];

@@ -8,8 +8,8 @@
 
 namespace tamis {
 
-/// By kind, then vertices; keeps its scratch memory from call to call. Runs in the caller's oneTBB arena. What `pause`,
-/// called now and then and by several threads, throws ends it: the contacts are then as they were.
+/// Sorts by kind, then vertices; keeps its scratch memory from call to call. Runs in the caller's oneTBB arena. Several
+/// threads call `pause` now and then; if it throws, sorting ends and the contacts are as before.
 class ContactSorter {
  public:
   void sort(std::vector<Contact>& contacts, Index vertex_count, const std::function<void()>& pause);

@@ -9,10 +9,10 @@
 
 namespace tamis {
 
-/// Keeps references to mesh and options, which outlive the engine, as all engines do.
+/// Makes an engine, which keeps references to mesh and options. Both outlive the engine.
 using MakeEngine = std::function<std::unique_ptr<Engine>(const Mesh&, const Options&)>;
 
-/// A path, and the ends of its pieces: ascending, the last one 1; empty: as deviations ask for.
+/// A path, and the ends of its pieces: ascending, the last one 1; if empty, deviations determine them.
 struct CutPath {
   const Path& path;
   std::span<const double> ends = {};
@@ -20,9 +20,9 @@ struct CutPath {
 
 class DetectorAccess {
  public:
-  /// `make_engine` is called once, with what has been validated. Throws InvalidOptions.
+  /// Calls `make_engine` once, with the mesh and validated options. Throws InvalidOptions.
   static Detector make(Mesh mesh, Options options, const MakeEngine& make_engine);
-  /// For one question that is asked of the state itself (detect/detector_state.hpp). Throws Busy.
+  /// Locks the state for one question that is asked of the state itself (detect/detector_state.hpp). Throws Busy.
   static Detector::LockedState lock(const Detector& detector);
 };
 

@@ -7,7 +7,7 @@
 
 namespace tamis {
 
-/// find(search).
+/// Validates `asked`, then calls find(search) with the search of this question, and measures it.
 template <class Find>
 void Detector::State::on_path(const CutPath& path, double keep, const QueryOptions& asked, const Find& find) {
   validate_of_path(asked);

@@ -23,7 +23,7 @@ bool are_zero(const std::vector<double>& radii) {
   return std::ranges::all_of(radii, [](double radius) { return radius == 0; });
 }
 
-/// Of each vertex; empty where all are zero.
+/// The radius of each vertex; empty if all are zero.
 std::vector<double> radii_of(const Options& options, const Mesh& mesh) {
   if (are_zero(options.radii)) return {};
   const std::vector<Index>& group = options.filter.group_of_vertex;
@@ -83,7 +83,7 @@ void Detector::State::find(const Query& query) {
     found.begin(query, bound_);
     engine_->find(query, found, statistics);
     if (query.question == Question::all_contacts) sort_found();
-    if (query.question == Question::earliest) found.first();  // decides those that are left
+    if (query.question == Question::earliest) found.first();  // decides contacts not yet decided singly
     statistics.decided_by += found.decided_by();
     statistics.ignored = found.ignored();
   });
@@ -119,8 +119,7 @@ EarliestContact Detector::State::earliest(const Step& step, const QueryOptions& 
   return first;
 }
 
-/// A contact that any pair has says nothing of those that touch at the start: whoever fails for them asks for the
-/// first.
+/// AtStart::fail needs the earliest contact: any other does not tell whether a pair touches at the start.
 bool Detector::State::is_free(const Step& step, const QueryOptions& asked) {
   if (asked.at_start == AtStart::fail) return !earliest(step, asked).contact;
   find(validated_query(step, asked, Question::is_free));
@@ -140,7 +139,7 @@ SafeStep Detector::State::step_length(const Query& query, double keep, AtStart a
   SafeStep answer;
   measure([&] { answer = engine_->find_step_length(query, keep, statistics); });
   if (at_start != AtStart::fail || answer.lower > 0) return answer;
-  const Statistics of_answer = statistics;  // that is 0 also where a distance shrinks at once
+  const Statistics of_answer = statistics;  // lower is 0, too, if a distance shrinks at once
   Query at_rest = query;
   at_rest.step.end = query.step.start;
   at_rest.question = Question::earliest;

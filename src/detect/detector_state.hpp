@@ -1,4 +1,4 @@
-// What a detector keeps from question to question, and how each is answered.
+// The state that a detector keeps from question to question, and the functions that answer questions.
 #pragma once
 #include <memory>
 #include <vector>
@@ -16,12 +16,12 @@ namespace tamis {
 
 struct Detector::State {
   State(Mesh m, Options o, const MakeEngine& make_engine);
-  /// Prepares for a world, before the first question: `radii` are those of the vertices, without groups, and all
-  /// contacts and intersections depend on their pair alone (Query::depends_on_pair_alone). REQUIRES: a radius each, no
-  /// radii of the options. REQUIRES (not checked: O(n)): finite and >= 0.
+  /// To be called for a world's mesh before the first question. Sets the vertices' radii without groups, and makes each
+  /// contact and intersection depend on its pair alone (Query::depends_on_pair_alone). REQUIRES: a radius for each
+  /// vertex, no radii in the options. REQUIRES (not checked: O(n)): finite and >= 0.
   void serve_world(std::vector<double> radii);
 
-  /// All, those of `found`.
+  /// All contacts: those in `found`.
   const std::vector<Contact>& find_contacts(const Step& step, const QueryOptions& asked);
   const std::vector<Contact>& find_contacts(const CutPath& path, const QueryOptions& asked);
   EarliestContact earliest(const Step& step, const QueryOptions& asked);
@@ -29,19 +29,19 @@ struct Detector::State {
   bool is_free(const Step& step, const QueryOptions& asked);
   bool is_free(const CutPath& path, const QueryOptions& asked);
   SafeStep safe_step(const Step& step, double keep, const QueryOptions& asked);
-  /// Of a path: a pair that starts nearer to its separation than doubles can tell ends it at once.
+  /// On a path, a pair that starts nearer to its separation than doubles can tell ends the step at t=0.
   SafeStep safe_step(const CutPath& path, double keep, const QueryOptions& asked);
   TruncatedStep truncate(const Step& step, double keep, const QueryOptions& asked, Stored stored);
   const std::vector<NearPair>& find_near(const Positions& positions, double distance);
-  /// All, or for `is_free` some, if there are any. Of a world's mesh those of pairs that `accepts` of the options'
-  /// filter leaves: it is asked of a vertex of the edge and the face.
+  /// All intersections, or for `is_free` some, if there are any. In a world's mesh only those that `accepts` of the
+  /// options' filter accepts: it is called with a vertex of the edge, and the face.
   const std::vector<Intersection>& find_intersections(const Positions& positions, Question question);
 
   const Mesh mesh;
   const Options options;
   ContactCollector found;
   Statistics statistics;
-  std::atomic_flag is_asked;  ///< the turn of the question that is being answered
+  std::atomic_flag is_asked;  ///< set while a question has its turn
 
  private:
   /// Throws InvalidOptions.
@@ -49,7 +49,7 @@ struct Detector::State {
   Separations separations(const QueryOptions& asked) const {
     return separations(asked.min_separation.value_or(options.min_separation));
   }
-  /// Of a step that is validated.
+  /// The query about a validated step.
   Query query(const Step& step, const Separations& separations, Question question = Question::all_contacts) const {
     return {step, separations, options.filter, rings_, options.is_cancelled, question};
   }
@@ -57,9 +57,9 @@ struct Detector::State {
   const std::vector<Contact>& ask(const CutPath& path, const QueryOptions& asked, Question question);
   template <class Find>
   void on_path(const CutPath& path, double keep, const QueryOptions& asked, const Find& find);
-  /// Of a validated query, whose step's end the caller can store.
+  /// Truncates the step of a validated query. The caller can store the positions at its end.
   TruncatedStep truncate(const Query& whole, double keep, AtStart at_start, Stored stored);
-  /// Runs a loop over the vertices, in the arena if threads share it.
+  /// Runs a loop over the vertices, in the arena if it is long enough for threads to share.
   template <class Work>
   void in_arena_if_long(const Work& work);
   /// Throws InvalidOptions, InvalidStep.
@@ -70,12 +70,12 @@ struct Detector::State {
   [[noreturn]] void refuse_start(const Query& query, const Contact& touching) const;
   /// 0 < keep < 1.
   SafeStep step_length(const Query& query, double keep, AtStart at_start);
-  /// Into the documented order.
+  /// Sorts `found` into the documented order.
   void sort_found();
   /// Runs `work` in the arena, with fresh statistics.
   template <class Work>
   void measure(const Work& work);
-  /// The same, as another part of the question that was measured last.
+  /// The same for another part of the question measured last: adds to its statistics.
   template <class Work>
   void measure_more(const Work& work);
   std::uint64_t memory_bytes() const;

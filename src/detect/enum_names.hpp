@@ -13,7 +13,7 @@ namespace tamis {
 template <class Enum, std::size_t n>
 using EnumNames = std::array<std::pair<Enum, std::string_view>, n>;
 
-/// `what`: of the enumeration. Throws InvalidOptions, naming the choices, if there is no such name.
+/// `what`: names the enumeration in the error. Throws InvalidOptions, naming the choices, if there is no such name.
 template <class Enum, std::size_t n>
 Enum find_by_name(const EnumNames<Enum, n>& names, std::string_view what, std::string_view name) {
   std::string choices;

@@ -23,8 +23,7 @@ bool are_rows(const Pair& pair, Index rows) {
 
 /// A batch of pairs of one kind.
 struct Batch {
-  static constexpr int kPairsPerBatch =
-      128;  // so that the vertices they name, fetched as they come, stay in the first cache
+  static constexpr int kPairsPerBatch = 128;  // their vertices, prefetched as pairs come in, stay in the L1 cache
 
   PairBuffer pairs, rest;
   std::int32_t places[kPairsPerBatch + PairBuffer::kPadding];

@@ -1,4 +1,4 @@
-// Decides one thread's part of a list of pairs: in lanes, and singly what those leave undecided.
+// Decides one thread's part of a list of pairs: in lanes, then one by one the pairs that lanes leave undecided.
 #pragma once
 #include <span>
 
@@ -14,9 +14,9 @@ struct ListPart {
   const PairOptions& options;  ///< valid
 };
 
-/// results[i]: what pairs[i] does. False if some pair is not legal: its kind is none, a vertex no row of the step, a
-/// coordinate not finite; the results then have no meaning. Throws Cancelled. REQUIRES: as many positions at both ends
-/// of the step, as many results as pairs.
+/// Decides pairs[i] into results[i]. Returns false if some pair is not legal: no valid kind, a vertex that is no row of
+/// the step, a coordinate that is not finite. The results then have no meaning. Throws Cancelled. REQUIRES: as many
+/// positions at both ends of the step, as many results as pairs.
 bool decide_part_of_list(const ListPart& part, std::span<PairResult> results);
 
 }  // namespace tamis

@@ -64,7 +64,7 @@ bool decide_in_parts(std::span<PairResult> results, const PairOptions& options, 
   return is_legal;
 }
 
-/// A list of pairs made of points.
+/// A list of pairs that have their own points, one pair's behind the other's.
 struct OwnPairs {
   OwnPairs(PairKind kind, std::span<const Point> start, std::span<const Point> end)
       : pairs(start.size() / vertex_count(kind)), step{start, end} {

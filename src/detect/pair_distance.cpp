@@ -19,7 +19,8 @@ void validate(const Pair& pair, const Step& step) {
   if (const std::string fault = fault_of(pair, step); !fault.empty()) throw InvalidStep(fault);
 }
 
-/// When a pair ends a step: proven not before t_in; at t_out proven, or 1. None: not until the latest time of interest.
+/// When a pair ends a step: provably not before t_in, and provably by t_out unless that is 1. None if the pair does not
+/// end it before the latest time of interest.
 using End = std::optional<TimeInterval<double>>;
 
 End end_by_contact(const Pair& pair, const PairPoints& points, const PairOptions& options) {

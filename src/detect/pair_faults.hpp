@@ -6,9 +6,9 @@
 
 namespace tamis {
 
-/// "vertex 3 and face 0 1 2". Vertices as in Contact. REQUIRES: a kind there is.
+/// "vertex 3 and face 0 1 2". Vertices as in Contact. REQUIRES: `kind` is a PairKind.
 std::string features_text(PairKind kind, const std::array<Index, 4>& vertices);
-/// The sentence on a kind that is none.
+/// The sentence on a number that is no PairKind.
 std::string no_such_kind(PairKind kind);
 /// The sentence on a point of a pair. `when`: "start" or "end".
 std::string not_finite(std::size_t point, const char* when);

@@ -9,25 +9,25 @@
 namespace tamis {
 namespace {
 
-/// The least share of the gap between the features for one that moves.
+/// A feature that moves gets at least this share of the gap between the features.
 constexpr double kLeastShare = 1.0 / 64;
 
 /// How a feature moves along n, towards the other.
 struct Approach {
   double speed = 0;     ///< of the vertex that closes in fastest; 0 if none does
-  double rounding = 0;  ///< of a vertex' position, the largest
+  double rounding = 0;  ///< the largest of a vertex' position
   bool needs_room() const { return speed > 0 || rounding > 0; }
 };
 
-/// The first feature's share of the gap: the faster one gets more, one that needs no room none.
+/// The first feature's share of the gap: the faster feature gets more, a feature that needs no room gets none.
 double first_share(const Approach& first, const Approach& second) {
   if (first.needs_room() != second.needs_room()) return first.needs_room() ? 1 : 0;
   const double speeds = first.speed + second.speed;
   return speeds > 0 ? std::clamp(first.speed / speeds, kLeastShare, 1 - kLeastShare) : 0.5;
 }
 
-/// When does a point that is at `place` at the time `from` reach the level? At once if it is beyond, and still is at
-/// t=1.
+/// The time at which a point that is at `place` at the time `from` reaches the level: 1 if it is not beyond the level
+/// at t=1, `from` if it is beyond at both times.
 double time_of_reaching(double level, double place, double speed, double from) {
   if (place + (1 - from) * speed <= level) return 1;
   const double time = from + (level - place) / speed;

@@ -1,5 +1,6 @@
-// How far may each vertex of a pair go by itself? From the positions at one time, the vertices of each feature stay on
-// their side of a plane between the two. A plan in doubles: detect/truncation.hpp proves what comes of it.
+// How far may each vertex of a pair go by itself? Planes between the two features, placed at one time, stop each vertex
+// before it leaves its feature's side. Computed in doubles without proof: detect/truncation.hpp proves the resulting
+// step.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -11,8 +12,8 @@
 
 namespace tamis {
 
-/// The fractions of its distance that a pair keeps when a step is truncated: `keep`, and a little more, `together`,
-/// while all vertices go together. Vertices that go on alone use the difference.
+/// The fractions of its distance that a pair keeps when a step is truncated: `keep` in the end, and `together`, a
+/// little more, while all vertices go together. Vertices that go on alone use the difference.
 struct KeptFractions {
   /// REQUIRES: 0 < kept < 1.
   explicit KeptFractions(double kept) : keep(kept), together(std::min(1.25 * kept, kept + 0.25 * (1 - kept))) {
@@ -30,14 +31,14 @@ struct KeptFractions {
 /// A pair that rests where it is at `time` of its step.
 PairPoints at_rest_at(const PairPoints& points, double time);
 
-/// What planes must leave between a pair.
+/// The distance that planes must leave between a pair's features.
 struct PlanarRule {
   const KeptFractions& fractions;
   double separation;
-  Stored stored;  ///< positions are rounded to these; what stays where it starts is not
+  Stored stored;  ///< positions are rounded to these, except coordinates that do not change
 };
 
-/// For each vertex of the pair the last time, from `time` to 1, at which it is on its side. `there`: the pair at
+/// For each vertex of the pair the last time in [`time`, 1] at which it is on its feature's side. `there`: the pair at
 /// `time`, up to which all vertices go together. A pair that starts within the separation keeps all of its distance.
 /// REQUIRES: finite coordinates, 0 <= time <= 1.
 std::array<double, 4> planar_times(const NearPair& there, const PairPoints& points, const PlanarRule& rule,

@@ -1,4 +1,4 @@
-// The numbers in which a caller keeps positions.
+// Rounding to the numbers in which a caller stores positions.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@ inline std::vector<Point> rounded(const Positions& positions, Stored stored) {
   return points;
 }
 
-/// An upper bound of the rounding of a coordinate between these two: half a unit in the last place. 0 for doubles,
-/// whose rounding is covered by what KeptFractions::between_planes adds.
+/// An upper bound of the rounding of a coordinate between `start` and `end`: half a unit in the last place. 0 for
+/// doubles: the margin of KeptFractions::between_planes covers their rounding.
 inline double max_rounding(double start, double end, Stored stored) {
   if (stored == Stored::float64) return 0;
   return 0x1p-24 * std::max(std::fabs(start), std::fabs(end)) + 0x1p-150;

@@ -15,20 +15,21 @@
 namespace tamis {
 namespace {
 
-/// After the common time no vertex goes farther than this many mean edges, as there would be too many pairs that it
-/// could meet. Where a part of the scene is much finer, as a cloth above a terrain, those are of each body.
+/// After the common time no vertex goes farther than this many mean edges: it could meet too many pairs. If a part of
+/// the scene is much finer than the mean, such as a cloth above a terrain, each body's own mean edges count.
 constexpr double kFarthestInMeanEdges = 0.25, kMuchFiner = 0.25;
 /// Rounds in which only broken pairs get planes. In a stack each body stops one round after the one below; recorded
 /// steps take 3 to 20.
 constexpr int kRounds = 32;
-/// Rounds in which all pairs have planes, and only vertices of broken pairs go back; after them all vertices do.
+/// Rounds in which all pairs have planes, and only vertices of broken pairs go back; after these rounds all vertices go
+/// back to the start.
 constexpr int kRoundsOnOwnSides = 8;
-/// The part of its distance that a pair which starts within its separation keeps.
+/// A pair that starts within its separation must keep this part of its distance.
 constexpr double kAllButAMillionth = 1 - 0x1p-20;
-/// In a part of a loop that threads share; a pair takes a microsecond or two.
+/// The parts of loops that threads share; a pair takes a microsecond or two.
 constexpr std::size_t kPairsPerPart = 64;
 
-/// Of each pair times_of(pair), from several threads.
+/// times_of(pair) of each pair, called by several threads.
 template <class Pair, class TimesOf>
 std::vector<std::array<double, 4>> planar_times_of(const std::vector<Pair>& pairs, const TimesOf& times_of) {
   std::vector<std::array<double, 4>> times(pairs.size());
@@ -62,7 +63,7 @@ TruncatedStep Truncation::run(double common_time) {
   begin(common_time);
   if (common_time == 1) return std::move(result_);
   for (auto broken = broken_pairs(); !broken.empty(); broken = broken_pairs()) {
-    const bool is_by_rounding =  // a pair is broken whose vertices have not gone on alone
+    const bool is_by_rounding =  // some pair is broken although none of its vertices goes on alone
         !std::ranges::all_of(broken, [this](const StepLimit& pair) { return goes_on_alone(pair); });
     ++rounds_;
     if (!on_own_sides_ && (is_by_rounding || rounds_ > kRounds)) {
@@ -109,7 +110,7 @@ void Truncation::stop_far_motions() {
 void Truncation::begin_on_own_sides() {
   begin(0);
   on_own_sides_ = true;
-  // A pair keeps its fraction of its clearance unless its vertices move the rest of that.
+  // A pair keeps its fraction of its clearance unless its vertices together move by the rest of the clearance.
   const double clearance_per_displacement = 1 / (1 - fractions_.between_planes(0));
   std::vector<double> radii = neighbourhood_maximum(mesh_, query_.separations.radii);
   radii.resize(result_.fractions.size(), 0);
@@ -132,7 +133,7 @@ void Truncation::begin_on_own_sides() {
     for (std::size_t i = 0; i < vertex_count(near[pair].kind); ++i) stop(near[pair].vertices[i], times[pair][i]);
 }
 
-/// A coordinate that the step leaves as it is stays.
+/// A coordinate that is the same at both ends of the step is not rounded.
 void Truncation::place(Index vertex) {
   const auto v = at(vertex);
   const double t = result_.fractions[v];
@@ -181,7 +182,7 @@ void Truncation::stop_at_planes(const std::vector<StepLimit>& broken) {
     bool is_stopped = false;
     for (std::size_t i = 0; i < count; ++i) is_stopped |= times[pair][i] < asked[at(v[i])];
     for (std::size_t i = 0; i < count; ++i) stop(v[i], is_stopped ? times[pair][i] : common_time_);
-    changed_[at(v[0])] = 1;  // whatever became of it, it is asked again
+    changed_[at(v[0])] = 1;  // the pair is asked about again, even if none of its vertices has moved
   }
 }
 

@@ -1,9 +1,9 @@
 // Truncates a step vertex by vertex. All vertices go together until a common time, up to which every pair keeps a
 // little more of its distance than it must; from there each goes on alone. The engine then finds the pairs that do not
-// keep their distance on the straight motion to these positions, and planes between the features of each
-// (detect/planar_times.hpp) stop its vertices, round by round until no pair is left. If that does not end, each vertex
-// goes alone from the start, with planes between all pairs that could meet. All positions asked about are numbers that
-// the caller can store.
+// keep their distance on the straight motion to the new positions, and planes between the features of each
+// (detect/planar_times.hpp) stop its vertices, round by round until no such pair is left. If the rounds do not end,
+// each vertex goes alone from the start, with planes between all pairs that could meet. All positions asked about are
+// numbers that the caller can store.
 #pragma once
 #include <atomic>
 #include <vector>
@@ -29,7 +29,7 @@ class Truncation {
   /// Lets no vertex go on alone for more than a part of an edge.
   void stop_far_motions();
   void begin_on_own_sides();
-  /// Sets the vertex' position from its part of the step.
+  /// Sets the vertex' position in result_ from its fraction of the step.
   void place(Index vertex);
   /// Lets the vertex go no farther than to `time`.
   void stop(Index vertex, double time);
@@ -37,8 +37,9 @@ class Truncation {
   /// asked about before and have not changed since are not asked again. Clears result_.is_free if a pair starts within
   /// its separation.
   std::vector<StepLimit> broken_pairs();
-  /// Must a vertex of the pair stop earlier? Sets `some_start_within` if it starts within its separation. Several
-  /// threads may ask. REQUIRES: a time in [0,1). REQUIRES (not checked: history): a pair of the engine's answer.
+  /// Must a vertex of the pair stop earlier? Sets `some_start_within` if the pair starts within its separation and is
+  /// not ignored for that. Several threads may call it. REQUIRES: the pair's time is in [0,1). REQUIRES (not checked:
+  /// history): the pair is of the engine's answer.
   bool is_broken(const StepLimit& pair, std::atomic<bool>& some_start_within) const;
   /// Does a vertex of the pair go on after the common time?
   bool goes_on_alone(const StepLimit& pair) const;
@@ -47,7 +48,7 @@ class Truncation {
     return query_.separations.between(pair.kind, pair.vertices);
   }
   Step step_to_result() const { return {step_.start, result_.positions}; }
-  /// Planes for each pair, placed at common_time_. If all vertices of one are on their sides, they go back to that
+  /// Stops each pair's vertices at planes placed at common_time_. If the planes stop none, the vertices go back to that
   /// time.
   void stop_at_planes(const std::vector<StepLimit>& broken);
 
@@ -59,7 +60,7 @@ class Truncation {
   Engine& engine_;
   Statistics& statistics_;
   TruncatedStep result_;               ///< so far
-  std::vector<std::uint8_t> changed_;  ///< Query::changed, since result_ was asked about; empty: it was not
+  std::vector<std::uint8_t> changed_;  ///< Query::changed since result_ was last asked about; empty if it was not
   double common_time_ = 0;
   bool on_own_sides_ = false;
   int rounds_ = 0;

@@ -124,7 +124,7 @@ void validate(const PairOptions& options) {
                          ": give a fraction of the step, >= 0 and <= 1");
   check_tolerance(options.tolerance);
   validate_threads(options.threads);
-  if (options.isa != Isa::best) validate_is_named(options.isa, "instruction set");  // the usual one costs nothing
+  if (options.isa != Isa::best) validate_is_named(options.isa, "instruction set");  // the default needs no look-up
 }
 
 void validate_threads(int threads) {

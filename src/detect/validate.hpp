@@ -17,22 +17,22 @@ void validate(const Options& options, const Mesh& mesh);
 
 /// Throws InvalidStep: positions that do not fit the mesh, or a used vertex that is not finite.
 void validate(const Step& step, const Mesh& mesh);
-/// The same of one pose. `what`: as in "the start of the step".
+/// The same for one pose, which `what` names, as in "the start of the step".
 void validate(const Positions& positions, const Mesh& mesh, const char* what);
 
-/// Throws InvalidStep unless three numbers of a row stand side by side, at both ends, which must have as many rows.
+/// Throws InvalidStep unless both ends have as many rows, and the three numbers of a row stand side by side.
 void validate_layout(const Step& step);
 
-/// Throws InvalidOptions unless its separation is finite and >= 0 and `at_start` has a name; and if it says something
-/// of curves.
+/// Throws InvalidOptions unless the separation is finite and >= 0 and `at_start` has a name, or if there is a
+/// tolerance, which only paths have.
 void validate_of_step(const QueryOptions& options);
 /// Unless the tolerance is in (0, 1], too; and if it says something of steps.
 void validate_of_path(const QueryOptions& options);
-/// Throws InvalidStep: the start of a used vertex is none of the numbers that the caller stores, or its end, rounded to
-/// these, is infinite.
+/// Throws InvalidStep: the start of a used vertex is no number of kind `stored`, or its end, rounded to such numbers,
+/// is infinite.
 void validate_stored(const Step& step, const Mesh& mesh, Stored stored);
 
-/// Throws InvalidOptions unless all lies in its range.
+/// Throws InvalidOptions unless each option lies in its range.
 void validate(const PairOptions& options);
 
 /// Throws InvalidOptions if negative.
@@ -41,7 +41,7 @@ void validate_threads(int threads);
 /// `what`: as in "the minimum separation". Throws InvalidOptions unless finite and >= 0.
 void validate_distance(double distance, std::string_view what);
 
-/// Throws InvalidOptions unless all pairs are kept apart by a finite distance.
+/// Throws InvalidOptions unless the separation of every pair, both radii included, is finite.
 void validate(const Separations& separations);
 
 /// Throws InvalidOptions unless in [0, 1); of `truncate` in (0, 1).

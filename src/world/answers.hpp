@@ -1,4 +1,4 @@
-// Merges the answers of a world's detectors: pairs named by bodies and their own vertices, in one order.
+// Merges the answers of a world's detectors into one order, and names pairs by bodies and the bodies' own vertices.
 #pragma once
 #include <algorithm>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace tamis {
 
-/// By kind, then body and own vertex of all four.
+/// Compares by kind, then by body and own vertex of each of the four vertices.
 template <class Row>
 bool is_before(const Row& a, const Row& b) {
   if (a.kind != b.kind) return a.kind < b.kind;
@@ -39,8 +39,8 @@ Row named(const Pair& pair, const Gathered& gathered) {
   return row;
 }
 
-/// Keeps the earliest pair of several detectors in `first` and `time`; of two at one time the one that is before.
-/// `other` is of `whose` mesh.
+/// Keeps the earliest pair of several detectors in `first` and `time`; of two pairs at one time the first by
+/// is_before(). `other` is of `whose` mesh.
 template <class Row, class Pair, class Whose>
 void keep_earlier(std::optional<Row>& first, double& time, const std::optional<Pair>& other, double other_time,
                   const Whose& whose) {
@@ -63,7 +63,7 @@ class OrderedParts {
     TAMIS_ASSERT(std::is_sorted(at(first), rows_.end(), is_row_before));
     ends_.push_back(rows_.size());
   }
-  /// Neighbours are merged until one is left.
+  /// Merges neighbouring parts until one is left.
   std::vector<Row> merged() && {
     while (ends_.size() > 1) {
       std::vector<std::size_t> ends;

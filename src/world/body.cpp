@@ -14,14 +14,15 @@
 namespace tamis {
 namespace {
 
-/// |a - b|, rounded up; infinite where doubles do not know it.
+/// |a - b|, rounded up; infinite if it is not a number.
 double distance_above(const Point& a, const Point& b) {
   const double square = dot(difference(a, b), difference(a, b));
   if (std::isnan(square)) return std::numeric_limits<double>::infinity();
   return std::sqrt(square) * kRoundedUp + 0x1p-500;  // squares may underflow
 }
 
-/// The difference of two affine maps is largest, over a box, at one of its corners.
+/// An upper bound of the distance between a and b over the box: the difference of two affine maps is largest at a
+/// corner.
 double farthest_between(const RoundedTransform& a, const RoundedTransform& b, const Box& box) {
   double farthest = 0;
   for (std::size_t corner = 0; corner < 8; ++corner) {

@@ -18,7 +18,7 @@ Box widened(Box box) {
   return box;
 }
 
-/// Unbounded along axes with NaN, as where curves bend by more than doubles can say.
+/// Makes a box unbounded along axes with NaN, which appears where the bend of curves overflows.
 Box unbounded_if_unknown(Box box) {
   for (std::size_t k = 0; k < 3; ++k)
     if (!(box.low[k] <= box.high[k])) box.low[k] = -kUnbounded, box.high[k] = kUnbounded;
@@ -28,18 +28,18 @@ Box unbounded_if_unknown(Box box) {
 /// An upper bound of the distance of the box' points from the origin.
 double farthest_in(const Box& box) {
   const auto along = [&](std::size_t k) { return std::max(std::fabs(box.low[k]), std::fabs(box.high[k])); };
-  // Below the normal doubles the length is off by a unit of 2^-1074, and the factor adds nothing.
+  // Among subnormal doubles the length is off by 2^-1074, and the factor adds nothing: 2^-1000 covers that.
   return quick_length_of(along(0), along(1), along(2)) * kRoundedUp + 0x1p-1000;
 }
 
-/// An error bound of transformed points with |x|_1 <= size, and of their boxes, the rounding of may_meet() included.
-/// No coordinate of a box is larger than its size and the shift together, but for what is added here.
+/// An error bound of transformed points with |x|_1 <= size, and of their boxes, the rounding of may_meet() included. No
+/// coordinate of a box exceeds `size` plus the shift's size by more than this bound.
 double rounding_bound(const RoundedTransform& place, double size) {
   return place.error_of(size, 0) + 2 * MovingBounds::kRounding * (size + place.shift_size);
 }
 
-/// A box in the frame of the world that holds a box of the body's frame at `place`, widened on all sides: around the
-/// transformed center, with the extents that the rotation gives.
+/// A box in the frame of the world that holds the box `at_rest` of the body's frame at `place`, widened by `wider`:
+/// around the transformed center, with half edges |R| times those at rest.
 Box box_in_world(const Box& at_rest, const RoundedTransform& place, double wider) {
   const Point middle = at_rest.middle();
   Point half{};

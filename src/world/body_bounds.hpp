@@ -9,7 +9,7 @@
 
 namespace tamis {
 
-/// Linear bounds in the frame of the world. Each box is wider than what it holds by kRounding of its coordinates, which
+/// Bounds that move linearly, in the frame of the world. Each box is widened by kRounding of its coordinates, which
 /// covers the rounding of may_meet().
 struct MovingBounds {
   Box start, end;
@@ -23,7 +23,7 @@ struct MovingBounds {
   }
 };
 
-/// Do the bounds come within `separation` at one time? False only if proven: at every time a gap is open along some
+/// May the bounds come within `separation` at some time? False only if proven: at every time there is a gap along some
 /// axis. NaN proves nothing.
 inline bool may_meet(const MovingBounds& a, const MovingBounds& b, double separation) {
   constexpr double kRoundingOfTimes = 0x1p-40;
@@ -31,7 +31,7 @@ inline bool may_meet(const MovingBounds& a, const MovingBounds& b, double separa
   const auto close = [&](double gap0, double gap1) {
     if (!(gap0 > 0 || gap1 > 0)) return true;
     if (gap0 > 0 && gap1 > 0) return false;
-    // Where a difference overflows these are 0 and 1, which prove nothing.
+    // If a difference overflows, these times are 0 and 1, which prove nothing.
     if (gap0 > 0) from = std::max(from, gap0 / (gap0 - gap1));
     if (gap1 > 0) to = std::min(to, 1 - gap1 / (gap1 - gap0));
     return true;

@@ -10,7 +10,7 @@
 
 namespace tamis {
 
-/// Its items are what a contact can be with: the faces, then the edges of no face, then the points of neither.
+/// Contacts are between items. Items are numbered: first the faces, then the loose edges, then the loose points.
 struct BodyShape {
   /// Throws InvalidMesh, and InvalidOptions if this machine lacks the instruction set.
   BodyShape(Mesh m, std::vector<Point> at_rest, Isa isa);
@@ -18,9 +18,9 @@ struct BodyShape {
   Index item_count() const {
     return static_cast<Index>(mesh.faces().size() + loose.edges.size() + loose.points.size());
   }
-  /// Its vertices; the last one is repeated.
+  /// The item's vertices; an edge or a point repeats the last one.
   Face corners_of(Index item) const;
-  /// Where its vertices are, `at(vertex)` being a Point.
+  /// The box around the item's vertices; `at(vertex)` is a vertex' position, a Point.
   template <class F>
   Box box_of(Index item, const F& at) const {
     Box box;

@@ -12,13 +12,13 @@
 namespace tamis {
 namespace {
 
-/// Radians that all links together may turn in a step, one a piece. On longer pieces chords prove little, and each pair
-/// that they leave is cut further by itself (docs/worlds.md, "How far a body may turn").
+/// The most radians that all links together may turn in a step: one for each piece. On longer pieces chords prove
+/// little, and each pair that they leave is cut further by itself (docs/worlds.md, "How far a body may turn").
 constexpr double kMostTurn = kMostPieces;
-/// Length of a rotation vector in radians: doubles are 2^-20 apart there, and longer vectors mean no angle.
+/// The longest rotation vector in radians: doubles are 2^-20 apart there, and longer vectors mean no angle.
 constexpr double kLongestRotation = 0x1p32;
 
-/// With no larger coordinates and no more links doubles are sure to tell where a vertex is.
+/// With no larger coordinates and no more links, doubles certainly represent a vertex' position.
 constexpr double kSafeCoordinate = 0x1p40;
 constexpr std::size_t kSafeLinks = 100;
 
@@ -90,7 +90,7 @@ void Body::validate_far(const Chain& chain) const {
   const ChainBounds bounds(chain);
   for (const auto& [time, when] : {std::pair(0, "start"), std::pair(1, "end")}) {
     const RoundedTransform place = transform_at(chain, time);
-    const auto is_known = [&](const Point& x) {  // what does not turn goes straight from double to double
+    const auto is_known = [&](const Point& x) {  // if no link turns, points go straight from double to double
       return is_finite(place.of(x)) && (!bounds.turns() || std::isfinite(place.error_of(sum_of_sizes(x), 0)));
     };
     for (const Index v : shape_->mesh.points())

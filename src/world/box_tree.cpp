@@ -5,7 +5,8 @@ namespace tamis {
 BoxTree::BoxTree(std::span<const Point> centers, Split split) : items_(centers.size()) {
   Box all;
   for (const Point& center : centers) all.include(center);
-  // Within [0,1], so that centers fit floats whatever the unit of length; where they do not, the order is poor.
+  // Scaled to [0,1], so that centers fit floats whatever the unit of length. Centers beyond that (overflow) become 0,
+  // which only makes the order poor.
   double extent = 0;
   for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, all.high[k] - all.low[k]);
   const double scale = extent > 0 ? 1 / extent : 0;
@@ -20,7 +21,7 @@ BoxTree::BoxTree(std::span<const Point> centers, Split split) : items_(centers.s
   }
   order_in_space(view, centers.size(), split, [] {});
   std::ranges::copy(store.features(), items_.begin());
-  Index first = 0, end = leaf_count();  // of one level
+  Index first = 0, end = leaf_count();  // nodes of one level
   while (end - first > 1) {
     const Index below = first;
     first = end;

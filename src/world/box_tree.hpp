@@ -1,5 +1,5 @@
-// A hierarchy of any items in space: features of a shape, bodies of a world. The order is made once, the boxes over it
-// as often as items move.
+// A hierarchy of any items in space: features of a shape, bodies of a world. The order of items is made once; boxes are
+// made again whenever items have moved.
 #pragma once
 #include <span>
 #include <vector>
@@ -25,18 +25,18 @@ class BoxTree {
   /// REQUIRES: there are items.
   Index root() const { return node_count() - 1; }
   bool is_leaf(Index node) const { return node < leaf_count(); }
-  /// Those of a leaf.
+  /// The items of a leaf.
   std::span<const Index> items_of(Index leaf) const {
     const std::size_t first = at(leaf) * kBlock;
     return std::span(items_).subspan(first, std::min<std::size_t>(kBlock, items_.size() - first));
   }
-  /// f(child), ascending, of a node that is no leaf.
+  /// Calls f(child), ascending, for each child of a node that is no leaf.
   template <class F>
   void for_each_child(Index node, const F& f) const {
     const std::size_t inner = at(node - leaf_count());
     for (Index child = first_child_[inner]; child < first_child_[inner + 1]; ++child) f(child);
   }
-  /// Of all nodes. `box_of(item)`: a Box.
+  /// The boxes of all nodes. `box_of(item)`: an item's Box.
   template <class F>
   std::vector<Box> boxes(const F& box_of) const {
     std::vector<Box> boxes(at(node_count()));
@@ -50,8 +50,8 @@ class BoxTree {
   std::uint64_t memory_bytes() const { return held_bytes(items_, first_child_); }
 
  private:
-  std::vector<Index> items_;        ///< in order
-  std::vector<Index> first_child_;  ///< of nodes that are no leaves; last the number of the root
+  std::vector<Index> items_;        ///< leaf by leaf
+  std::vector<Index> first_child_;  ///< of each node that is no leaf; the last entry is the root's number
 };
 
 }  // namespace tamis

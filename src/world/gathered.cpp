@@ -10,9 +10,9 @@ namespace {
 
 const Body& member(const BodyList& bodies, BodyId id) { return *bodies[at(id)]; }
 
-/// Colors of bodies, greedily few: bodies that may meet have different ones; passive ones have 0.
+/// A greedy coloring of the bodies: bodies that may meet have different colors; passive bodies have 0.
 std::map<BodyId, Index> colors_of(const NearItems& items, const BodyList& bodies, const MeetingRules& rules) {
-  std::map<BodyId, std::vector<BodyId>> met_before;  // of each body those of smaller numbers
+  std::map<BodyId, std::vector<BodyId>> met_before;  // for each body those with smaller numbers
   for (const BodyPair& pair : items.pairs) met_before[pair[1]].push_back(pair[0]);
   std::map<BodyId, Index> colors;
   for (const auto& [id, unused] : items.of_body) {
@@ -72,8 +72,8 @@ void Gathered::add(BodyId id, const Body& body, const IndexSet& items) {
   motion_kinds_.push_back(body.motion_kind());
 }
 
-/// A group of the detector holds the bodies of one color, which need not be asked about: they are not near each other,
-/// or passive. So there are few groups, however many bodies and radii.
+/// A group of the detector holds the bodies of one color. Its pairs need not be asked about: the bodies are not near
+/// each other, or are passive. So there are few groups, however many bodies and radii.
 void Gathered::set_groups(const BodyList& bodies, const MeetingRules& rules, Options& options) const {
   const std::map<BodyId, Index> colors = colors_of(items_, bodies, rules);
   std::size_t count = 1;
@@ -117,7 +117,7 @@ Step Gathered::step(const BodyList& bodies) {
   return {start(bodies), end_};
 }
 
-/// Bodies that do not turn move straight between their doubles, as in a step.
+/// Bodies that do not turn move straight between positions rounded to doubles, as in a step.
 RigidPath Gathered::path(const BodyList& bodies) const {
   std::vector<Point> rest, rest_end;
   std::vector<Index> number_of_body;

@@ -11,10 +11,10 @@
 
 namespace tamis {
 
-/// Which pairs of bodies meet in one mesh.
+/// Which pairs of bodies may meet in one gathered mesh.
 struct MeetingRules {
-  /// Bodies of a lesser kind are passive, they do not meet each other: those that stay, or in a question about curves
-  /// those that do not turn.
+  /// Bodies with a lesser kind of motion are passive: they do not meet each other. These are the bodies that stay, or
+  /// in a question about curves those that do not turn.
   MotionKind least;
   const std::set<BodyPair>& excluded_pairs;
 
@@ -23,21 +23,21 @@ struct MeetingRules {
 
 class Gathered {
  public:
-  /// `options`: of the detector, but for its groups. REQUIRES: not empty.
+  /// `options`: those of the detector, without groups. REQUIRES: `items` is not empty.
   Gathered(const BodyList& bodies, NearItems items, const MeetingRules& rules, const Options& options);
   Gathered(const Gathered&) = delete;
 
-  /// Does each body stay, move straight, or turn, as it did when this was made?
+  /// Does each body have the same kind of motion as when this was made?
   bool keeps_motion_kinds(const BodyList& bodies) const;
   const NearItems& items() const { return items_; }
 
   /// All vertices at t=0 and at t=1, in doubles. Valid until the next call.
   Step step(const BodyList& bodies);
   Positions start(const BodyList& bodies);
-  /// Their motion on curves.
+  /// The motion of all vertices on curves.
   RigidPath path(const BodyList& bodies) const;
 
-  /// Turns a row with a pair of the detector into one of bodies and their own vertices.
+  /// Replaces the vertices of the gathered mesh in a row by bodies and the bodies' own vertices.
   template <class Row>
   void name(Row& row) const {
     row.bodies = {body_of(row.vertices[0]), body_of(row.vertices[second_feature(row.kind)])};
@@ -62,7 +62,7 @@ class Gathered {
 
   const NearItems items_;
   std::vector<MotionKind> motion_kinds_;  ///< of its bodies, ascending
-  std::vector<Vertex> vertices_;          ///< by body, then own vertex: in the order of contacts
+  std::vector<Vertex> vertices_;          ///< by body, then own vertex, as contacts are ordered
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
   std::vector<Index> points_;

@@ -14,14 +14,14 @@
 namespace tamis {
 namespace {
 
-/// What served fewer questions is gathered the next time with twice the margin, while that makes no more than so many
-/// times the items that are needed (docs/history/performance.md, "What is gathered lasts").
+/// A mesh that served fewer questions is gathered the next time with twice the margin, unless that makes more than
+/// kMostItemsPerNeeded times the needed items (docs/history/performance.md, "What is gathered lasts").
 constexpr int kQueriesWorthGathering = 16;
 constexpr std::size_t kMostItemsPerNeeded = 4;
 constexpr double kLeastMarginInEdges = 0.5;
 constexpr double kMostMarginInEdges = 64;
-/// A mesh is gathered anew once only one of so many of the items needed when it was made may still touch; they are
-/// counted in every kSearchesPerCount-th search.
+/// A mesh is gathered anew once fewer than 1 / kShrunk of the items needed when it was made may still touch; every
+/// kSearchesPerCount-th search counts them.
 constexpr std::size_t kShrunk = 4;
 constexpr int kSearchesPerCount = 16;
 
@@ -57,7 +57,7 @@ bool World::State::gather(Gathering& gathering, const NearDistance& distance, co
   }
   const bool is_usable = gathering.gathered && gathering.gathered->keeps_motion_kinds(bodies);
   const bool counts = !is_usable || ++gathering.searched % kSearchesPerCount == 0;
-  // All that is needed if `counts`; else what is gathered, which is not tested again, and new items.
+  // All needed items if `counts`; else the gathered items, which are not tested again, and new ones.
   NearItems near_now;
   if (!counts) near_now.of_body = gathering.gathered->items().of_body;
   find_near(pairs, distance, 0, times, near_now);
@@ -84,7 +84,7 @@ void World::State::find_near(const std::vector<BodyPair>& pairs, const NearDista
 
 void World::State::gather_anew(Gathering& gathering, const NearDistance& distance, const NearItems& needed,
                                std::span<const double> times) {
-  double edge = 0;  // of the finest: parts of a coarse body's would gather all of the fine ones
+  double edge = 0;  // of the finest body: parts of a coarse edge would gather all of a fine body
   for (const auto& [id, unused] : needed.of_body)
     if (const double own = bodies[at(id)]->shape().edge; edge == 0 || (0 < own && own < edge)) edge = own;
   double in_edges = gathering.margin_in_edges;
@@ -93,7 +93,7 @@ void World::State::gather_anew(Gathering& gathering, const NearDistance& distanc
   NearItems items;
   std::optional<GatherMargin> margin;
   while (true) {
-    const double width = std::min(in_edges * edge, std::numeric_limits<double>::max());  // less than what is unknown
+    const double width = std::min(in_edges * edge, std::numeric_limits<double>::max());  // less than unknown deviations
     const auto during = times.back() == 0 ? During::start : During::step;
     const std::vector<BodyPair> farther = wanted_pairs(gathering, near_bodies(distance, width, during));
     items = needed;
@@ -104,7 +104,7 @@ void World::State::gather_anew(Gathering& gathering, const NearDistance& distanc
   }
   const MeetingRules rules{gathering.least, excluded_pairs};
   gathering.gathered = std::make_unique<Gathered>(bodies, std::move(items), rules, options);
-  // No exception from here on: one before leaves the gathering as it was.
+  // Nothing throws from here on; an exception before leaves the gathering as it was.
   gathering.margin = std::move(margin);
   gathering.margin_in_edges = in_edges;
   gathering.needed_when_gathered = needed.count();
@@ -148,7 +148,7 @@ std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& p
     if (allowed > 0 && deviation > allowed) pieces = std::max(pieces, std::ceil(std::sqrt(deviation / allowed)));
   }
   pieces = std::min(pieces, kMostPieces);
-  constexpr double kNoSimplePart = 0.02565;  // contacts happen at simple ones
+  constexpr double kNoSimplePart = 0.02565;  // contacts happen at simple fractions
   std::vector<double> times{0};
   for (int piece = 1; piece < pieces; ++piece) times.push_back((piece - kNoSimplePart) / pieces);
   times.push_back(1);

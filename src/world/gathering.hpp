@@ -1,5 +1,5 @@
-// Gathering: which bodies are near enough to be asked about, what is gathered of them as one mesh, and how long that
-// serves later questions.
+// Gathering: which bodies are near enough to be asked about, which of their items are gathered as one mesh, and how
+// long this mesh serves later questions.
 #pragma once
 #include <map>
 #include <memory>
@@ -12,19 +12,19 @@
 
 namespace tamis {
 
-/// How near bodies must come to be asked about: within the separation, both radii, and a multiple of both
+/// The distance within which bodies are asked about: the separation, plus both radii, plus a multiple of both
 /// displacements.
 struct NearDistance {
   double separation = 0;
   double displacement_factor = 0;
 
-  /// What one body adds.
+  /// What one body adds to the distance.
   double share_of(const Body& body) const;
   double between(const Body& a, const Body& b) const { return (separation + share_of(a) + share_of(b)) * kRoundedUp; }
 };
 
-/// What was gathered is all that comes within the near distance plus `width`. So it covers later questions while both
-/// bodies of each pair together deviate by no more than `width` from the motions that they had then.
+/// The gathered mesh holds all items that come within the near distance plus `width`. So it covers later questions
+/// while both bodies of each pair together deviate by at most `width` from their motions when it was gathered.
 struct GatherMargin {
   double separation, width;
   std::map<BodyId, StraightMotion> motions;
@@ -33,17 +33,17 @@ struct GatherMargin {
   std::uint64_t memory_bytes() const { return held_bytes(motions); }
 };
 
-/// One gathered mesh of bodies that meet: of those whose vertices all go straight, of those of which one turns, or of
-/// all in a pose.
+/// One gathered mesh, of pairs of bodies whose vertices all go straight, of pairs of which one body turns, or of all
+/// pairs in a pose.
 struct Gathering {
-  MotionKind least, most;  ///< of the body of a pair that moves most: such pairs are asked about
-  /// Items within so many mean edges of the finest body more than needed are gathered, too, so that they serve the
-  /// questions that follow; more where these are answered without a search (GatherMargin).
+  MotionKind least, most;  ///< of the body that moves more in a pair asked about
+  /// Items within this many mean edges of the finest body beyond the needed distance are gathered, too, to serve later
+  /// questions; more where a GatherMargin answers those without a search.
   double margin_in_edges;
   std::unique_ptr<Gathered> gathered = nullptr;
-  std::size_t needed_when_gathered = 0;               ///< items
+  std::size_t needed_when_gathered = 0;               ///< number of items
   std::optional<GatherMargin> margin = std::nullopt;  ///< of bodies that do not turn
-  int served = 0, searched = 0;                       ///< questions, and those that the margin did not cover
+  int served = 0, searched = 0;                       ///< questions; those that the margin did not cover
 
   bool wants(const Body& a, const Body& b) const {
     const MotionKind kind = std::max(a.motion_kind(), b.motion_kind());

@@ -1,4 +1,4 @@
-// A set of indices of one thing's parts, as of a body's items.
+// A set of indices below a fixed count, such as those of a body's items.
 #pragma once
 #include <algorithm>
 #include <bit>
@@ -22,7 +22,7 @@ class IndexSet {
   bool has_all(std::span<const Index> indices) const {
     return std::ranges::all_of(indices, [this](Index index) { return has(index); });
   }
-  /// REQUIRES: of the same thing.
+  /// REQUIRES: both sets have the same `count`.
   bool includes(const IndexSet& other) const {
     TAMIS_ASSERT(words_.size() == other.words_.size());
     return std::ranges::equal(words_, other.words_,
@@ -34,7 +34,7 @@ class IndexSet {
     for (const std::uint64_t word : words_) size += static_cast<std::size_t>(std::popcount(word));
     return size;
   }
-  /// f(index), ascending.
+  /// Calls f(index), ascending.
   template <class F>
   void for_each(const F& f) const {
     for (std::size_t w = 0; w < words_.size(); ++w)

@@ -19,7 +19,7 @@ Options with_one_thread(Options options) {
   return options;
 }
 
-/// check(), which throws InvalidStep, of one of many motions.
+/// Calls check(); an InvalidStep that it throws is thrown again with the motion's number.
 template <class Check>
 void of_motion(std::size_t motion, const Check& check) {
   try {

@@ -1,4 +1,4 @@
-// Which bodies may come near each other during the step, by what each sweeps over.
+// Finds which bodies may come near each other during the step, by the boxes that they sweep over.
 #pragma once
 #include <array>
 #include <functional>
@@ -21,7 +21,7 @@ using BodyList = std::vector<std::unique_ptr<Body>>;
 /// How far a body's hull is widened.
 using BodyWidening = std::function<double(const Body&)>;
 
-/// A tree of the bodies that are switched on: of those that stay, or of those that move.
+/// A tree of the bodies that are switched on and stay, or of those that are switched on and move.
 class BodyTree {
  public:
   BodyTree() = default;
@@ -53,7 +53,7 @@ class BodyTree {
   std::vector<Box> boxes_;  ///< of its nodes
 };
 
-/// Finds near bodies; keeps a tree of those that do not move from question to question.
+/// Finds near bodies. Keeps the tree of the bodies that stay, for later questions.
 class NearBodies {
  public:
   /// Throws InvalidOptions if this machine lacks the instruction set.

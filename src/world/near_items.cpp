@@ -12,7 +12,7 @@
 namespace tamis {
 namespace {
 
-/// The nodes all of whose items are in a set, each tested when it is first asked for; items added later do not count.
+/// The nodes that have all their items in a set, each tested when first asked for; items added later do not count.
 class WholeNodes {
  public:
   WholeNodes(const BoxTree& tree, const IndexSet& near)
@@ -50,7 +50,7 @@ class PairWalk {
   PairWalk(const Side& a, const Side& b, double separation, const Pause& pause)
       : a_(a), b_(b), separation_(separation), pause_(pause) {}
 
-  /// Returns true if any items may meet, or if some were `found` to before.
+  /// Returns true if any items may meet, or if `found`: some were found to before.
   bool run(bool found) {
     found_ = found;
     const Node a = root_of(a_), b = root_of(b_);
@@ -69,7 +69,7 @@ class PairWalk {
   static Node root_of(const Side& side) { return node_of(side, tree_of(side).root()); }
   bool meet(const MovingBounds& a, const MovingBounds& b) const { return may_meet(a, b, separation_); }
 
-  /// Descends into the larger node. REQUIRES: two that meet.
+  /// Descends into the larger node. REQUIRES: the nodes meet.
   void visit(const Node& a, const Node& b) {
     if (found_ && a_.whole.has(a.number) && b_.whole.has(b.number)) return;
     if (++visited_ % kVisitsPerPause == 0) pause_();
@@ -159,7 +159,7 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
     };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto [a, b] = pairs[i];
-      // Pairs of bodies before `a` are done: memory that is in the caches serves those that follow.
+      // Pairs of bodies before `a` are done: their memory, which is in the caches, serves the pairs that follow.
       of_moving.erase(of_moving.begin(), of_moving.lower_bound(a));
       pause();
       if (PairWalk(side(a), side(b), distance(body(a), body(b)), pause).run(is_near[i])) is_near[i] = true;

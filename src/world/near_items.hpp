@@ -22,10 +22,9 @@ struct NearItems {
   std::uint64_t memory_bytes() const { return held_bytes(pairs, of_body); }
 };
 
-/// Adds to `near` all items of the pairs that may come within `distance(a, b)` of each other on the pieces that
-/// end at `times`, the first of which begins the first piece. Items that are in it already are not tested again where
-/// their bodies are known to come near. Calls `pause` now and then, which may throw. REQUIRES: `pairs` and `times`
-/// ascending, two times at least.
+/// Adds to `near` all items of the pairs that may come within `distance(a, b)` of each other on the pieces between
+/// successive `times`. Items that `near` holds already are not tested again once their bodies are known to come near.
+/// Calls `pause` now and then, which may throw. REQUIRES: `pairs` and `times` ascending, two times at least.
 void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
                     const std::function<double(const Body&, const Body&)>& distance, std::span<const double> times,
                     const Pause& pause, NearItems& near);

@@ -1,5 +1,5 @@
-// What a world keeps from question to question, and how each is answered: near bodies are found, what may touch of them
-// is gathered (world/gathering.hpp), and detectors are asked.
+// The state that a world keeps from question to question, and the functions that answer questions: they find near
+// bodies, gather the items of these that may touch (world/gathering.hpp), and ask detectors.
 #pragma once
 #include <functional>
 #include <optional>
@@ -14,14 +14,14 @@ namespace tamis {
 
 struct World::State {
   explicit State(Options o);
-  /// The same bodies, to be asked by one thread. Nothing is gathered yet.
+  /// A copy of the bodies, to be asked by one thread. Nothing is gathered yet.
   State(const State& other);
 
   Body& body(BodyId id);
   void move(BodyId id, BodyMotion motion);
-  /// To be called when a body is removed, or anything of it but its motion has changed: what was gathered is of no use.
+  /// To be called when a body is removed, or when anything of it but its motion has changed: drops the gathered meshes.
   void forget_gathered(const Body& changed);
-  /// To be called when a body is added or given another motion, which gathered meshes see themselves.
+  /// To be called when a body is added or given another motion. Gathered meshes notice both by themselves.
   void forget_if_still(const Body& changed) {
     if (changed.motion_kind() == MotionKind::still) near_bodies_.forget_still();
   }
@@ -32,7 +32,7 @@ struct World::State {
   Statistics statistics;
   std::atomic_flag is_asked;
 
-  /// Calls `ask`, a function of the state, with these arguments, as one question with its turn and statistics.
+  /// Calls `ask`, a member function, with these arguments as one question: takes the turn and keeps the statistics.
   template <class Ask, class... Of>
   auto answer(const Ask& ask, const Of&... of) {
     const BusyGuard guard(is_asked);
@@ -56,11 +56,11 @@ struct World::State {
  private:
   /// Throws InvalidOptions and InvalidStep.
   void validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions);
-  /// Pairs that may touch and, by their hulls, come within `distance` plus `margin`.
+  /// Pairs of bodies that may touch and whose hulls come within `distance` plus `margin`.
   std::vector<BodyPair> near_bodies(const NearDistance& distance, double margin, During during);
   std::vector<BodyPair> wanted_pairs(const Gathering& gathering, std::vector<BodyPair> pairs) const;
-  /// Makes `gathering` hold all that comes within `distance`; false if nothing does. `pairs`: wanted ones of
-  /// near_bodies() without margin. `times`: the ends of pieces.
+  /// Makes `gathering` hold all items that come within `distance`; returns false if none do. `pairs`: wanted_pairs() of
+  /// near_bodies() without margin. `times`: the ends of pieces, beginning with 0.
   bool gather(Gathering& gathering, const NearDistance& distance, const std::vector<BodyPair>& pairs,
               std::span<const double> times);
   /// Adds to `items` those that come within `distance` plus `margin`.
@@ -68,17 +68,17 @@ struct World::State {
                  std::span<const double> times, NearItems& items) const;
   void gather_anew(Gathering& gathering, const NearDistance& distance, const NearItems& needed,
                    std::span<const double> times);
-  /// Nothing if one of the bodies turns.
+  /// Nothing if one of the bodies turns, or if `distance` depends on displacements.
   std::optional<GatherMargin> margin_of(const std::vector<BodyPair>& pairs, const NearDistance& distance,
                                         double width) const;
   /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
   std::vector<double> times_of_pieces(const std::vector<BodyPair>& pairs) const;
-  /// Calls ask(state of a detector, motion, options, whose) for each detector of what may touch, until one returns
-  /// false: with the gathered bodies that go straight and a Step; with those that turn and a CutPath; with each
-  /// deforming body's number and its Step. `displacement_factor`: as in NearDistance. Throws InvalidOptions.
+  /// Calls ask(state of a detector, motion, options, whose) for each detector, until one call returns false: with a
+  /// Step and the gathered bodies that go straight; with a CutPath and those of which one turns; with the Step and the
+  /// number of each deforming body. `displacement_factor`: as in NearDistance. Throws InvalidOptions.
   template <class Ask>
   void for_each_moving(const QueryOptions& asked, double displacement_factor, const Ask& ask);
-  /// The same in the pose at the start, of all that comes within the distance: ask(state of a detector, pose, whose).
+  /// The same in the pose at t=0, for all items that come within the distance: ask(state of a detector, pose, whose).
   template <class Ask>
   void for_each_at_rest(double distance, const Ask& ask);
   /// Calls f(id, body) for each body that may touch itself, until one returns false.
@@ -88,7 +88,7 @@ struct World::State {
   template <class Ask, class... Of>
   bool ask_one(Detector& detector, const Ask& ask, const Of&... of);
   void add_statistics(const Statistics& of_part);
-  /// Throws InvalidPath, naming the first gathered body whose numbers are too large.
+  /// Throws InvalidPath if a gathered body's numbers are too large, naming the first such body.
   void refuse_far(const Gathered& gathered) const;
   /// Throws InvalidStep with AtStart::fail if the pair touches, or ends the step, at the time 0.
   template <class Row>

@@ -53,7 +53,7 @@ struct Detector::State {
   Query query(const Step& step, const Separations& separations, Question question = Question::all_contacts) const {
     return {step, separations, options.filter, rings_, options.is_cancelled, question};
   }
-  /// Into `found`.
+  /// Answers a question about a path into `found`.
   const std::vector<Contact>& ask(const CutPath& path, const QueryOptions& asked, Question question);
   template <class Find>
   void on_path(const CutPath& path, double keep, const QueryOptions& asked, const Find& find);
@@ -64,7 +64,7 @@ struct Detector::State {
   void in_arena_if_long(const Work& work);
   /// Throws InvalidOptions, InvalidStep.
   Query validated_query(const Step& step, const QueryOptions& asked, Question question = Question::all_contacts);
-  /// Into `found`.
+  /// Answers the query into `found`.
   void find(const Query& query);
   /// Throws InvalidStep, which names the pair: it touches at the step's start.
   [[noreturn]] void refuse_start(const Query& query, const Contact& touching) const;

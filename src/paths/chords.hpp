@@ -38,7 +38,7 @@ class Chords {
     return known != directions_.end() && direction_proves_free(ends, vector(known->direction), separation);
   }
 
-  /// About the distance of the features at the start of the piece.
+  /// Approximates the distance of the features at the start of the piece.
   double gap_at_start(const PairMotion<I>& ends) const {
     const Vec3<I> n = gap(ends.e.at0, ends.f.at0, ends.d.at0);
     return nearest_double(length_above(n).upper);

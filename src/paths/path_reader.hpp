@@ -14,7 +14,7 @@ namespace tamis {
 void check_point(Index vertex, double time, const Point& point, double error);
 void check_deviation(Index vertex, double from, double to, double deviation);
 
-/// The vertices at one time, enclosed, in the unit of a pair.
+/// The vertices of a pair at one time, enclosed in intervals and scaled (PairReader::scale).
 template <class T>
 struct Moment {
   double time = 0;

@@ -77,7 +77,7 @@ class PathSearch {
   std::map<PairKey, double> in_contact_until_;
 };
 
-/// The first of these contacts, as keep_first() has it.
+/// The first of these contacts in the order of keep_first().
 EarliestContact first_of(const std::vector<Contact>& contacts);
 
 }  // namespace tamis

@@ -61,7 +61,7 @@ class Gathered {
   void set_groups(const BodyList& bodies, const MeetingRules& rules, Options& options) const;
 
   const NearItems items_;
-  std::vector<MotionKind> motion_kinds_;  ///< of its bodies, ascending
+  std::vector<MotionKind> motion_kinds_;  ///< of its bodies, by ascending number
   std::vector<Vertex> vertices_;          ///< by body, then own vertex, as contacts are ordered
   std::vector<Face> faces_;
   std::vector<Edge> edges_;

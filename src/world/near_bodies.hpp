@@ -27,7 +27,7 @@ class BodyTree {
   BodyTree() = default;
   BodyTree(const BodyList& bodies, bool are_still, During during, const BodyWidening& widening, Split split);
 
-  /// Calls f(body) for all whose widened hulls may meet the box.
+  /// Calls f(body) for all bodies whose widened hulls may meet the box.
   template <class F>
   void for_each_near(const Box& box, const F& f) const {
     if (!bodies_.empty()) visit(tree_.root(), box, f);

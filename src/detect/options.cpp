@@ -23,19 +23,6 @@ constexpr EnumNames<AtStart, 3> kAtStart{
 
 constexpr EnumNames<Stored, 2> kStored{{{Stored::float64, "float64"}, {Stored::float32, "float32"}}};
 
-}  // namespace
-
-Isa isa_from_name(std::string_view name) { return find_by_name(kIsas, "instruction set", name); }
-AtStart at_start_from_name(std::string_view name) {
-  return find_by_name(kAtStart, "way with pairs that touch at the start", name);
-}
-std::string_view name_of(PairKind value) { return find_name(kKinds, value); }
-std::string_view name_of(AtStart value) { return find_name(kAtStart, value); }
-std::string_view name_of(Stored value) { return find_name(kStored, value); }
-std::string_view name_of(Isa value) { return find_name(kIsas, value); }
-
-namespace {
-
 PairFilter matrix_filter(std::vector<Index> group_of_vertex, Index group_count, auto may_touch) {
   PairFilter filter;
   filter.group_of_vertex = std::move(group_of_vertex);
@@ -46,6 +33,15 @@ PairFilter matrix_filter(std::vector<Index> group_of_vertex, Index group_count, 
 }
 
 }  // namespace
+
+Isa isa_from_name(std::string_view name) { return find_by_name(kIsas, "instruction set", name); }
+AtStart at_start_from_name(std::string_view name) {
+  return find_by_name(kAtStart, "way with pairs that touch at the start", name);
+}
+std::string_view name_of(PairKind value) { return find_name(kKinds, value); }
+std::string_view name_of(AtStart value) { return find_name(kAtStart, value); }
+std::string_view name_of(Stored value) { return find_name(kStored, value); }
+std::string_view name_of(Isa value) { return find_name(kIsas, value); }
 
 PairFilter PairFilter::no_self_contact(std::vector<Index> group_of_vertex) {
   constexpr Index kLast = std::numeric_limits<Index>::max();

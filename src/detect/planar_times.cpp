@@ -31,7 +31,7 @@ double first_share(const Approach& first, const Approach& second) {
 double time_of_reaching(double level, double place, double speed, double from) {
   if (place + (1 - from) * speed <= level) return 1;
   const double time = from + (level - place) / speed;
-  return place <= level && time > from ? std::min(time, 1.0) : from;  // not a number: not beyond
+  return place <= level && time > from ? std::min(time, 1.0) : from;  // `from` also where the time is not a number
 }
 
 /// An upper bound of how far rounding moves a vertex along n. A coordinate that does not change is not rounded.

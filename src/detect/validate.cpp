@@ -16,6 +16,11 @@
 namespace tamis {
 namespace {
 
+void validate_threads(int threads) {
+  if (threads < 0)
+    throw InvalidOptions("threads is " + std::to_string(threads) + ": give 0 (all) or a positive number");
+}
+
 void check_tolerance(double tolerance) {
   if (!(tolerance > 0 && tolerance <= 1))
     throw InvalidOptions("the tolerance of brackets is " + number_text(tolerance) +
@@ -125,11 +130,6 @@ void validate(const PairOptions& options) {
   check_tolerance(options.tolerance);
   validate_threads(options.threads);
   if (options.isa != Isa::best) validate_is_named(options.isa, "instruction set");  // the default needs no look-up
-}
-
-void validate_threads(int threads) {
-  if (threads < 0)
-    throw InvalidOptions("threads is " + std::to_string(threads) + ": give 0 (all) or a positive number");
 }
 
 void validate_distance(double distance, std::string_view what) {

@@ -26,7 +26,7 @@ void validate_layout(const Step& step);
 /// Throws InvalidOptions unless the separation is finite and >= 0 and `at_start` has a name, or if there is a
 /// tolerance, which only paths have.
 void validate_of_step(const QueryOptions& options);
-/// Unless the tolerance is in (0, 1], too; and if it says something of steps.
+/// The same for a path: throws unless the tolerance is in (0, 1], too.
 void validate_of_path(const QueryOptions& options);
 /// Throws InvalidStep: the start of a used vertex is no number of kind `stored`, or its end, rounded to such numbers,
 /// is infinite.
@@ -34,9 +34,6 @@ void validate_stored(const Step& step, const Mesh& mesh, Stored stored);
 
 /// Throws InvalidOptions unless each option lies in its range.
 void validate(const PairOptions& options);
-
-/// Throws InvalidOptions if negative.
-void validate_threads(int threads);
 
 /// `what`: as in "the minimum separation". Throws InvalidOptions unless finite and >= 0.
 void validate_distance(double distance, std::string_view what);

@@ -1,7 +1,5 @@
 #include "paths/decide_path.hpp"
 
-#include <algorithm>
-
 #include "motion/time_clip.hpp"
 #include "narrow/contact_normal.hpp"
 #include "numerics/assert.hpp"

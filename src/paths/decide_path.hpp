@@ -19,7 +19,7 @@ struct PathQuestion {
 };
 
 /// Decides the pair during `time`; the Decision means the same as for straight motion. `touches`: the bracket is no
-/// wider than the tolerance, or with a separation, than doubles can tell. Throws Cancelled. REQUIRES: `kind` is a
+/// wider than the tolerance. Throws Cancelled. REQUIRES: `kind` is a
 /// PairKind, `time` a part of [0,1].
 Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>& time);
 

@@ -1,7 +1,6 @@
 // The vertices of a mesh at one time of its path, and the radii around chords between two such times that hold the
 // curves.
 #pragma once
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>

@@ -43,7 +43,7 @@ PairRule rule_of(const MeshOnPath& asked, const Path& path, const Contact& pair)
   const PairRule rule{asked.separations.between(pair.kind, pair.vertices), asked.ignores_start};
   if (asked.keep == 0) return rule;
   const KeptSeparation kept = kept_separation(path, pair.kind, pair.vertices, {asked.keep, rule.separation});
-  if (rule.ignores_start && kept.may_start_within) return rule;
+  if (rule.ignores_start && kept.is_near_separation) return rule;
   return {kept.high, false};
 }
 

@@ -22,6 +22,8 @@ KeptSeparation kept_separation(const Path& path, PairKind kind, const PairVertic
   return {kept(low) * (1 - 0x1p-50), kept(high) * (1 + 0x1p-50) + 0x1p-1000, !(low > separation)};
 }
 
+namespace {
+
 /// The near pair of the rounded positions at t=0; its distance is in the path's unit.
 NearPair near_pair_at_start(const Path& path, PairKind kind, const PairVertices& vertices) {
   const PairReader reader(path, vertices, 0);
@@ -30,6 +32,8 @@ NearPair near_pair_at_start(const Path& path, PairKind kind, const PairVertices&
   pair.distance /= reader.scale();
   return pair;
 }
+
+}  // namespace
 
 SafeStep PathSearch::find_step_length() {
   const EarliestContact first = first_of(find(Question::earliest));

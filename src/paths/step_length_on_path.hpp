@@ -11,7 +11,7 @@ namespace tamis {
 /// Proven bounds of the distance that a pair must keep, D + F (distance at t=0 - D).
 struct KeptSeparation {
   double low, high;
-  bool may_start_within;  ///< not proven farther apart than D at t=0
+  bool is_near_separation;  ///< not proven farther apart than D at t=0
 };
 KeptSeparation kept_separation(const Path& path, PairKind kind, const PairVertices& vertices, const DistanceRule& rule);
 

@@ -6,9 +6,7 @@
 
 #include "detect/arena.hpp"
 #include "detect/validate.hpp"
-#include "query/cancellation.hpp"
 #include "tamis/error.hpp"
-#include "topology/at.hpp"
 #include "world/world_state.hpp"
 
 namespace tamis {

@@ -1,6 +1,6 @@
 // When do pairs come within their separation? Each pair takes as many steps of conservative advancement as it needs
 // (narrow/advancement.hpp). After each step the pairs that go on are compacted, so that no lane waits for the slowest.
-// What is left undecided takes the same steps one pair at a time (narrow/first_within.hpp), with the same bits.
+// Undecided pairs then take the same steps one at a time (narrow/first_within.hpp), with the same bits.
 #pragma once
 #include <limits>
 
@@ -14,7 +14,7 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// Of all components: not finite if one is not.
+/// The sum of all components: not finite if one of them is not.
 inline DoubleLanes sum(const Moving<DoubleLanes>& v) {
   return (v.at0.x + v.at0.y + v.at0.z) + (v.at1.x + v.at1.y + v.at1.z);
 }
@@ -29,7 +29,7 @@ inline unsigned finite_lanes(const PairMotion<DoubleLanes>& m) {
 template <PairKind kind, class Vertices, class Sink>
 class AdvanceLanes {
  public:
-  /// Contacts that begin after `latest` are none.
+  /// Pairs whose contact begins after `latest` are reported as free.
   AdvanceLanes(Vertices vertices, const PairSeparation<double>& separation, double latest, WithinScratch& scratch,
                Sink& sink)
       : vertices_(vertices),
@@ -49,7 +49,7 @@ class AdvanceLanes {
 
  private:
   using Lanes = DoubleLanes;
-  /// The few pairs that need more are decided one by one.
+  /// The few pairs that need more probes are decided one by one.
   static constexpr int kMaxProbes = 24;
 
   PairMotion<Lanes> load(const PairBuffer& pairs, int first) const {
@@ -60,7 +60,8 @@ class AdvanceLanes {
     const auto m = load(in, first);
     const unsigned all = lanes_in_use(in, first);
     unsigned fit = all & finite_lanes(m);
-    if constexpr (can_cross(kind)) fit &= bits(m.separation > Lanes(0));  // no separation, or one that underflows
+    if constexpr (can_cross(kind))
+      fit &= bits(m.separation > Lanes(0));  // unfit: no separation, or one that underflows
     const auto clip = SlabClip::clip<kind>(m, TimeInterval<Lanes>{Lanes(0), Lanes(1)});
     const unsigned free = fit & bits((clip.t_in > clip.t_out) | (clip.t_in > Lanes(latest_)));
     std::int32_t places[kDoubleLanes];
@@ -75,14 +76,14 @@ class AdvanceLanes {
     const int count = pairs.count;
     pairs.count = 0;
     for (int first = 0; first < count; first += kDoubleLanes) {
-      std::int32_t places[kDoubleLanes];  // what goes on is written over what has been read
+      std::int32_t places[kDoubleLanes];  // a copy: pairs that go on overwrite this batch
       for (int i = 0; i < kDoubleLanes; ++i) places[i] = moving_.places[first + i];
       const Lanes now = Lanes::load_unaligned(moving_.now + first), end = Lanes::load_unaligned(moving_.until + first);
       probe(pairs, first, places, load(pairs, first), now, end, first_lanes(count - first));
     }
   }
 
-  /// One step of the pairs first, first + 1, ... of a buffer, from the times `now`.
+  /// One step of advancement from the times `now`, for the pairs first, first + 1, ... of a buffer.
   void probe(const PairBuffer& pairs, int first, const std::int32_t* places, const PairMotion<Lanes>& m,
              const Lanes& now, const Lanes& end, unsigned lanes) {
     const SeparationProbe<kind, Lanes> separation(m);
@@ -103,7 +104,8 @@ class AdvanceLanes {
     for_each_bit(free, [&](int i) { sink_.free(places[i]); });
     append(pairs, first, lanes & ~free & ~goes_on & ~undecided, places, next.now, min(next.now + next.ahead, end),
            touching_);
-    append(pairs, first, goes_on, places, next.now, end, moving_);  // last: `pairs` may be moving_'s
+    append(pairs, first, goes_on, places, next.now, end,
+           moving_);  // last: it overwrites `pairs` if these are moving_.pairs
   }
 
   static void append(const PairBuffer& from, int first, unsigned lanes, const std::int32_t* places, const Lanes& now,

@@ -1,11 +1,11 @@
-// The boxes of a leaf block, sixteen at a time, from vertices that lie scattered.
+// Computes the sixteen boxes of a leaf block in lanes, from vertices that are gathered by index.
 #pragma once
 #include "bvh/block_tree.hpp"
 #include "numerics/lanes.hpp"
 
 namespace tamis::TAMIS_ISA {
 
-/// Lower and upper ends of as many boxes as there are lanes, by the columns of BoxVertex.
+/// Lower and upper ends of one box a lane, for each column of BoxVertex.
 struct BoxEnds {
   FloatLanes low[BoxVertex::kRadius + 1], high[BoxVertex::kRadius + 1];
 
@@ -15,7 +15,8 @@ struct BoxEnds {
       high[k] = max(high[k], columns[k]);
     }
   }
-  /// By the fixed margin, by the relative one times the larger distance from zero, and by the largest radius.
+  /// Widens each box by the fixed margin, the relative margin times its largest |coordinate| along the axis, and its
+  /// largest radius.
   void widen(const BoxMargins& margins) {
     const FloatLanes radius = high[BoxVertex::kRadius];
     for (int k = 0; k < BoxVertex::kRadius; ++k) {
@@ -39,7 +40,7 @@ inline void bound_leaf(const BoxVertex* vertices, const CornerBlock& block, int 
       ends.include(columns);
     }
     ends.widen(margins);
-    // Empty lanes repeat a feature that there is, which changes no hull.
+    // Empty lanes repeat the block's first feature, so they change no hull. Their boxes are stored as empty.
     const auto is_used = xsimd::to_float(counting_from(first)) < FloatLanes(static_cast<float>(in_use));
     for (int k = 0; k < BoxVertex::kRadius; ++k) {
       const auto put = [&](const FloatLanes& lanes, float nowhere, float(&to)[kBlock]) {

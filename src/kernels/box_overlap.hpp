@@ -1,4 +1,4 @@
-// Box tests of the search: do moving boxes meet, by what they sweep over or at one time; are boxes at rest near.
+// Box tests of the search: do moving boxes meet, swept or at one time, and are boxes at rest within the separation?
 #pragma once
 #include <algorithm>
 
@@ -22,12 +22,12 @@ struct alignas(64) BoundBlock {
 /// Interpolated boxes, and boxes relative to a moving observer, are off by less than this
 /// (docs/numerics.md, "Boxes").
 inline constexpr float kLaterMargin = 0x1p-18f;
-/// Those of outliers by less than this besides, times the largest coordinate along the axis: its difference to one at
-/// the other end and the product with a time by 2^-23 of it each, the product once more for the difference, what is
-/// left after the observer's displacement by 2^-23, the sum by 2^-24.
+/// Boxes of outliers are off by less than this besides, times their largest coordinate along the axis. The difference
+/// of the coordinates at both ends is off by 2^-23 of that, and so is its product with a time, which also carries the
+/// difference's error; subtracting the observer's displacement is off by 2^-23, the sum by 2^-24.
 inline constexpr float kLaterOutlierMargin = 0x1p-20f;
 
-/// What kLaterOutlierMargin makes of the boxes of a block, along an axis.
+/// The margin that kLaterOutlierMargin gives each box of a block along an axis.
 inline FloatLanes later_outlier_margin(const BoxBlock& block, int axis, int first) {
   const auto larger = [&](const float(&low)[3][kBlock], const float(&high)[3][kBlock]) {
     return max(-FloatLanes::load_aligned(low[axis] + first), FloatLanes::load_aligned(high[axis] + first));
@@ -53,17 +53,17 @@ inline FloatLanes extent_at_start(const BoxBlock& block, int first) {
   return sum;
 }
 
-/// Boxes that move until t_limit. The cheap test compares what they sweep over relative to an observer who moves with
-/// the block from which the search starts, so that a common motion makes no box larger. The sharp test asks for a time
-/// at which all gaps between two boxes are closed. Two features can touch only where their boxes meet by either.
+/// Boxes that move until t_limit. The cheap test (meet) compares swept boxes, relative to an observer who moves with
+/// the leaf block searched from: so a common motion makes no box larger. The sharp test (meet_at_some_time) looks for a
+/// time at which all gaps between two boxes are closed. Two features can touch only if their boxes pass both tests.
 class MovingBoxes {
  public:
   static constexpr bool kMoves = true, kHasReach = false;
-  using Bounds = BoundBlock<6>;  ///< what boxes sweep over: x y z
+  using Bounds = BoundBlock<6>;  ///< of the swept boxes: x y z
 
-  /// From leaf block `block` of search.a.
+  /// For a search from leaf block `block` of search.a.
   MovingBoxes(const Search& search, int block) : t_limit_(search.t_limit), has_outliers_(search.has_outliers) {
-    constexpr float kMostDisplacement = 4;  // in a frame none goes farther, but outliers do, which no observer follows
+    constexpr float kMostDisplacement = 4;  // only outliers go farther; no observer follows them
     const BoxBlock& hulls = search.a.levels[1][block / kBlock];
     const int lane = block % kBlock;
     for (int axis = 0; axis < 3; ++axis) {
@@ -87,13 +87,13 @@ class MovingBoxes {
     if (has_outliers_) widen(block, bounds);
   }
 
-  /// Bounds are off by less than kLaterMargin each.
+  /// The cheap test: do the swept boxes meet? Their bounds are off by less than kLaterMargin each.
   template <class A, class B>
   [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
     return largest_gap(a, b) <= FloatLanes(2 * kLaterMargin);
   }
 
-  /// Means over the boxes of a leaf block, summed over the axes: the extent, and its growth by sweeping.
+  /// Means over a leaf block's boxes of the extent at t=0, summed over the axes, and of its growth by sweeping.
   struct Means {
     float size = 0, growth = 0;
   };
@@ -114,7 +114,7 @@ class MovingBoxes {
     return {sum.size / used, sum.growth / used};
   }
 
-  /// Bits of the leaf blocks of a node whose features move far for their size and that of mine, judged by their hulls.
+  /// Bits of a node's children whose features, judged by the hulls, move far for their size and that of mine.
   unsigned move_far(const BoxBlock& block, const Bounds& swept, const Means& mine) const {
     unsigned mask = 0;
     for_sixteen_lanes([&](int first) {
@@ -146,8 +146,8 @@ class MovingBoxes {
   float t_limit() const { return t_limit_; }
 
  private:
-  /// `at_limit(at0, at1, observer_displacement)`: an end of boxes at t_limit, relative to the observer, who has moved
-  /// by that.
+  /// Bounds the swept boxes. `at_limit(at0, at1, observer_displacement)`: where an end of the boxes is at t_limit,
+  /// relative to the observer.
   template <class F>
   [[gnu::always_inline]] void sweep(const BoxBlock& block, Bounds& bounds, const F& at_limit) const {
     for (int axis = 0; axis < 3; ++axis)
@@ -161,7 +161,7 @@ class MovingBoxes {
       });
   }
 
-  /// By what the bounds of outliers are off.
+  /// Widens the bounds by what those of outliers are off by.
   static void widen(const BoxBlock& block, Bounds& bounds) {
     for (int axis = 0; axis < 3; ++axis)
       for_sixteen_lanes([&](int first) {
@@ -177,16 +177,16 @@ class MovingBoxes {
     return sum;
   }
 
-  /// Up to this growth by sweeping, over its extent, the cheap test is as sharp as the other
+  /// If boxes grow by no more than this part of their extent in sweeping, the cheap test is as sharp as the sharp one
   /// (docs/history/performance.md, "What chooses").
   static constexpr float kShort = 0.3f;
   const float t_limit_;
   const bool has_outliers_;
-  float observer_displacement_[3] = {};  ///< the observer's until t_limit
+  float observer_displacement_[3] = {};  ///< until t_limit
 };
 
-/// Boxes at t=0 that were widened by the separation: features can be within it only where the distance of the unwidened
-/// boxes is, the root of the sum of the squares of three gaps.
+/// Boxes at t=0, widened by the separation. Two features can be within the separation only if their unwidened boxes
+/// are: the distance of these is the root of the sum of the squares of the three gaps.
 class RestBoxes {
  public:
   static constexpr bool kMoves = false, kHasReach = false;

@@ -9,7 +9,7 @@ namespace tamis::TAMIS_ISA {
 class ClearanceBoxes {
  public:
   static constexpr bool kMoves = false, kHasReach = true;
-  using Bounds = BoundBlock<12>;  ///< x y z at t=0, of residuals
+  using Bounds = BoundBlock<12>;  ///< x y z at t=0, then of residuals; upper ends from kHigh on
 
   ClearanceBoxes(const Search& search, int)
       : t_limit_(search.keep.t_limit), per_residual2_(search.keep.clearance.per_residual2) {}

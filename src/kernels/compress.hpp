@@ -1,4 +1,4 @@
-// Stream compaction: lanes that a mask names are written to consecutive places; pairs with their times, too.
+// Stream compaction: writes the lanes that a mask names to consecutive places, and pairs with their times.
 #pragma once
 #include "kernels/kernels.hpp"
 #include "kernels/sixteen_lanes.hpp"
@@ -79,7 +79,7 @@ inline void store_partitioned(unsigned mask, const xsimd::batch<T, Arch>& lanes,
 #endif
 }
 
-/// Appends first, first + 1, ... for the bits of `mask`, sixteen at most.
+/// Appends `first` + i to the list for each bit i of `mask`, of sixteen.
 inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count) {
   for_sixteen_lanes([&](int lane) {
     const unsigned some = mask >> lane & ((1u << kFloatLanes) - 1);
@@ -108,15 +108,15 @@ inline void copy_pair(const PairBuffer& in, int from, PairBuffer& out) {
   ++out.count;
 }
 
-/// Copies the corners of the pairs of `mask` among the lanes from `first` on. `out` may be `in`, where only what has
-/// been read is overwritten.
+/// Copies the corners of those pairs from `first` on that `mask` names to place `to` and on. `out` may be `in`, if only
+/// pairs that have been read are overwritten.
 template <int corners = 4>
 inline void store_corners(unsigned mask, const PairBuffer& in, int first, PairBuffer& out, int to) {
   for (int c = 0; c < corners; ++c)
     store_compressed(mask, IntLanes::load_unaligned(in.corner[c] + first), out.corner[c] + to);
 }
 
-/// The same, with these times. Returns how many pairs.
+/// Copies these pairs with the given times. Returns their number.
 template <int corners = 4>
 inline int store_pairs(unsigned mask, const PairBuffer& in, int first, const TimeInterval<FloatLanes>& time,
                        PairBuffer& out, int to) {

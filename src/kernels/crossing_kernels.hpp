@@ -14,7 +14,7 @@ namespace tamis::TAMIS_ISA {
 /// How many corners a pair in a buffer has.
 constexpr int corners_of(Course course) { return course == Course::along_edge ? 5 : 4; }
 
-/// In floats: the times need not be sharp here, and twice as many pairs fit.
+/// The slab clip, in floats: its times need not be sharp, and twice as many pairs fit into the lanes.
 template <PairKind kind, Course course = Course::step>
 void slab(const MotionView& motion, const PairBuffer& in, PairBuffer& out) {
   out.count = 0;
@@ -47,7 +47,8 @@ void filter_deviating(const MotionView& motion, double deviation, const PairBuff
   out.count = 0;
   for (int first = 0; first < in.count; first += kDoubleLanes) {
     const auto time = load_time<DoubleLanes>(in, first);
-    const auto whole = load_motion<kind>(motion.vertices, in, first, {deviation, false});  // scaled as the motion is
+    // The deviation is loaded as a separation, which is scaled with the motion.
+    const auto whole = load_motion<kind>(motion.vertices, in, first, {deviation, false});
     const auto m = restrict_to(whole, time.t_in, time.t_out);
     const auto free = Dnf::proves_free_though_deviating<kind>(m, whole.separation);
     for_each_bit(lanes_in_use(in, first) & ~bits(free), [&](int lane) { copy_pair(in, first + lane, out); });
@@ -64,7 +65,8 @@ inline int write_solved(const Crossing<DoubleLanes>& crossing, const TimeInterva
   return count;
 }
 
-/// One crossing first; pairs that it leaves undecided go to `rest`, and are searched in two halves of their time.
+/// Looks for one crossing in each pair's time. Pairs that stay undecided go to `rest`, and are searched again in two
+/// halves of their time.
 template <PairKind kind, Course course = Course::step>
 int solve(const MotionView& motion, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) {
   std::int32_t pairs[kDoubleLanes], rest_pairs[PairBuffer::kSize];

@@ -9,19 +9,19 @@ namespace tamis::TAMIS_ISA {
 
 /// The arguments of find_crossing for as many pairs as there are lanes.
 struct CrossingBatch {
-  int first;       ///< place of the first of them
-  unsigned lanes;  ///< bits of those that are asked
+  int first;       ///< place of the first pair
+  unsigned lanes;  ///< bits of the lanes whose pairs are asked about
   PairMotion<DoubleLanes> motion;
   TimeInterval<DoubleLanes> part;
 };
 
-/// For batches of the pairs 0 to `count`: make(first) returns the batch of the pairs first, first + 1, ..., a
-/// CrossingBatch or derived from it; keep(batch, crossings) takes its crossings. Batches none of whose lanes are asked
-/// are skipped.
+/// Finds the crossings of the pairs 0 to `count`, batch by batch. make(first) returns the batch of the pairs first,
+/// first + 1, ..., a CrossingBatch or a class derived from it; keep(batch, crossings) takes its crossings. A batch
+/// whose `lanes` is 0 is skipped.
 template <PairKind kind, class Make, class Keep>
 inline void for_each_crossing(int count, const Make& make, const Keep& keep) {
   using Batch = decltype(make(0));
-  struct Made {  // in its place: a batch is too large to copy
+  struct Made {  // emplace() converts it to a batch in place, as a batch is too large to copy
     operator Batch() const { return make(first); }
     const Make& make;
     int first;

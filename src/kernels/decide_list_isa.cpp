@@ -1,5 +1,5 @@
-// The pairs of a list: compiled once for each instruction set. What is asked of a pair here is asked of it in decide()
-// too, in the same order, so that it has the same bits.
+// Decides the pairs of a list in lanes; compiled once for each instruction set. decide() runs the same tests on a pair,
+// in the same order, so that it gives the same bits.
 #include "kernels/advance_lanes.hpp"
 #include "kernels/crossings.hpp"
 #include "kernels/isa_declarations.hpp"
@@ -52,7 +52,7 @@ class ListDecision {
     return undecided_count_;
   }
 
-  // Of pairs within a separation.
+  // The sink of AdvanceLanes.
   void free(int i) { results_[list_.places[i]] = {}; }
   void undecided(int i) { undecided_[undecided_count_++] = list_.places[i]; }
   void touches(int i, const ContactLanes& contacts, int lane) {
@@ -104,7 +104,7 @@ class ListDecision {
     for_each_bit(lanes, [&](int i) { undecided_[undecided_count_++] = places[i]; });
   }
 
-  /// Writes what the crossing decides of the batch; returns the lanes that it does not.
+  /// Writes the results of the pairs that the crossing decides; returns the lanes of the others.
   template <Axes axes>
   unsigned leaves_undecided(const ClippedBatch<kind, axes>& batch, const Crossing<DoubleLanes>& crossing) {
     const auto s = clipped_crossing(crossing, batch.clip);

@@ -1,10 +1,11 @@
-// Box test for step lengths: in which moving boxes may features come nearer than the fraction of their distance?
+// Box test for step lengths: in which moving boxes may features come nearer than the fraction of their distance that
+// they must keep?
 #pragma once
 #include "kernels/reach.hpp"
 
 namespace tamis::TAMIS_ISA {
 
-/// size^2 of ClearanceBounds for a pair of boxes, and the bound of its clearance's square.
+/// size^2 of ClearanceBounds for two boxes, and the bound of clearance^2.
 [[gnu::always_inline]] inline FloatLanes size2(const ClearanceBounds& bounds, const FloatLanes& residual2,
                                                const FloatLanes& farthest2) {
   return FloatLanes(bounds.stretch2) * farthest2 + residual2;
@@ -15,11 +16,13 @@ namespace tamis::TAMIS_ISA {
          FloatLanes(bounds.fixed2);
 }
 
-/// Boxes that move, with the residuals of what they hold. A pair of features can, by search.keep, end the step only
-/// - if its clearance, and so the boxes' gap at t=0, is within ClearanceBounds; squares of lengths are compared, which
+/// Boxes that move, with the residuals of their features. By search.keep, a pair of features can end the step only
+/// - if its clearance, and thus the boxes' gap at t=0, is within ClearanceBounds; squares of lengths are compared,
+/// which
 ///   do not underflow where it matters: gaps are multiples of 2^-47, because boxes have margins;
-/// - while the boxes are as near as the fraction of the largest clearance of such a pair, or of any pair between the
-///   farthest corners. Boxes are wider by the minimum separation, which so is in all gaps.
+/// - while the boxes are no farther apart than the fraction of the largest clearance at t=0 that the pair can have, by
+///   ClearanceBounds and by the distance of the boxes' farthest corners.
+/// Boxes are widened by the minimum separation, so all gaps are shorter by it.
 class KeepBoxes {
  public:
   static constexpr bool kMoves = false, kHasReach = true;
@@ -61,7 +64,8 @@ class KeepBoxes {
       for_each_side(axis, a, b, [&](const auto& at0, const auto& later) {
         gap = max(gap, at0);
         far = min(far, at0);
-        const FloatLanes least = min(at0, later);  // halfway is the mean of both
+        // Halfway the gap is the mean of both: each sum below is twice the least gap of one half of the time.
+        const FloatLanes least = min(at0, later);
         first = max(first, at0 + least);
         second = max(second, least + later);
       });
@@ -76,7 +80,7 @@ class KeepBoxes {
     return (gap2 <= clearance) & (FloatLanes(0.25f) * min(first2, second2) <= kept2);
   }
 
-  /// How far apart at t=0, along each axis, features in the boxes can be that end the step.
+  /// How far apart along each axis features in the boxes can be at t=0 and still end the step.
   template <class A, class B>
   [[gnu::always_inline]] FloatLanes reach(const A& a, const B& b) const {
     const FloatLanes residual2 = greatest_residual2<kResidual, kHigh>(a, b);
@@ -91,7 +95,8 @@ class KeepBoxes {
  private:
   static constexpr int kResidual = 6, kHigh = 9;
 
-  /// f(gap at t=0, gap later) for both sides of an axis: each is what two points that move linearly are apart.
+  /// Calls f(gap at t=0, gap at t_limit) for both sides of an axis. A gap is the difference of two points that move
+  /// linearly.
   template <class A, class B, class F>
   [[gnu::always_inline]] static void for_each_side(int axis, const A& a, const B& b, const F& f) {
     f(b(axis) - a(kHigh + axis), b(3 + axis) - a(kHigh + 3 + axis));

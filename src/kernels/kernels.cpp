@@ -20,7 +20,8 @@ extern const Kernels kKernels;
 
 namespace {
 
-/// Null where this machine, or this build, has none. The compiler names a set that is forgotten here.
+/// The kernels of an instruction set; null if this machine or this build has none. The compiler names a set that is
+/// missing here.
 const Kernels* kernels_if_here(Isa isa) {
   switch (isa) {
 #ifdef TAMIS_X86_KERNELS
@@ -44,7 +45,7 @@ const Kernels* kernels_if_here(Isa isa) {
     case Isa::baseline:
       return &baseline::kKernels;
   }
-  return nullptr;  // of a number that is no set's
+  return nullptr;  // `isa` is no enumerator
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// The features of one leaf block against those of the leaf blocks that it may meet. A row is one feature and the
-// sixteen of another block. Rows without pairs are removed stage by stage, without branches on which boxes meet, which
-// no processor could predict.
+// Tests the features of one leaf block against those of the leaf blocks that it may meet. A row is one feature against
+// the sixteen of another block. Rows without pairs are removed stage by stage, without branches on which boxes meet: no
+// processor could predict them.
 #pragma once
 #include <utility>
 
@@ -21,11 +21,11 @@ enum class Test {
 struct MetLeaf {
   int block;
   Test test;
-  float reach;    ///< Test::reach: how far apart features can be that are of interest
+  float reach;    ///< Test::reach: how far apart along each axis features of interest can be at t=0
   unsigned rows;  ///< bits of the features that have a row
 };
 
-/// Bits of sixteen lanes whose boxes may meet. `a(k, first)`, `b(k, first)`: bound k of those from lane `first` on.
+/// Bits of sixteen lanes whose boxes may meet. `a(k, first)`, `b(k, first)`: bound k of the boxes from lane `first` on.
 template <class Boxes, class A, class B>
 [[gnu::always_inline]] inline unsigned lanes_that_meet(const Boxes& boxes, const A& a, const B& b) {
   unsigned mask = 0;
@@ -84,11 +84,11 @@ class LeafRows {
 
  private:
   static constexpr int kMostLeaves = 32, kAhead = 4;
-  /// Rows of a block that are sampled with the cheap test; if it leaves more than this part of them, the others get the
-  /// sharp test at once (docs/history/performance.md, "What chooses").
+  /// The first kSample rows of a block get the cheap test; if it leaves more than the part kMostMet of them, the other
+  /// rows get the sharp test at once (docs/history/performance.md, "What chooses").
   static constexpr int kSample = 16;
   static constexpr double kMostMet = 0.65;
-  /// A row with no more features within reach is not tested again: later stages take less time
+  /// A row with at most this many features within reach is not tested again: later stages take less time
   /// (docs/history/performance.md, "Reach by blocks").
   static constexpr int kFew = 2;
 
@@ -118,7 +118,8 @@ class LeafRows {
     boxes_.bound(search_.b, 0, leaves_[i].block, theirs_[i]);
   }
 
-  /// For a leaf whose features move far: makes its features that may meet my hull the rows, if these are fewer.
+  /// For a leaf whose features move far: turns the rows around, to those of its features that may meet my hull, if that
+  /// gives fewer rows.
   void ask_fewer(MetLeaf& leaf) const {
     if (leaf.test != Test::some_time || (kIsSelf && leaf.block == block_)) return;
     const unsigned theirs = boxes_.meet_at_some_time(search_.a.levels[1][block_ / kBlock], block_ % kBlock,
@@ -128,7 +129,8 @@ class LeafRows {
     leaf.test = Test::some_time_of_theirs;
   }
 
-  /// Finds the pairs of the leaves with this test. `keep(count)` reduces the first `count` rows to those with pairs.
+  /// Finds the pairs of the leaves with this test. `keep(count)` reduces the first `count` rows to those with pairs,
+  /// and returns their number.
   template <One one, class Keep>
   void match_rows(Test test, const Keep& keep) {
     int count = 0;
@@ -166,8 +168,8 @@ class LeafRows {
     });
   }
 
-  /// Moves those of the rows first to last for which bits(i) is not zero to place `to` and on. Returns the place behind
-  /// them.
+  /// Of the rows first to last, moves those for which bits(i) is not zero to place `to` and on, with their bits.
+  /// Returns the place behind them.
   template <class Bits>
   int keep_rows(int first, int last, int to, const Bits& bits) {
     for (int i = first; i < last; ++i) {
@@ -178,7 +180,7 @@ class LeafRows {
     return to;
   }
 
-  /// A row's place in leaves_, and the lane of its one feature: unsigned, which takes fewer operations.
+  /// A row's place in leaves_, and the lane of its one feature: unsigned arithmetic takes fewer operations.
   static unsigned place_of(std::int32_t row) { return static_cast<unsigned>(row) / kBlock; }
   const MetLeaf& leaf_of(std::int32_t row) const { return leaves_[place_of(row)]; }
   static int lane_of(std::int32_t row) { return static_cast<int>(static_cast<unsigned>(row) % kBlock); }

@@ -10,7 +10,7 @@ namespace tamis::TAMIS_ISA {
 /// (PairBuffer).
 enum class Course { step, along_edge };
 
-/// As scale_below_one() (numerics/scale.hpp), in lanes: 2^(-1-exponent), kept in the normal range; of 0 another number.
+/// scale_below_one() (numerics/scale.hpp) in lanes: 2^(-1-exponent), kept in the normal range. For 0 the two differ.
 inline DoubleLanes scale_to_one(const DoubleLanes& size) {
   using Int64Lanes = xsimd::batch<std::int64_t, Arch>;
   const Int64Lanes biased = xsimd::bitwise_cast<Int64Lanes>(size) >> 52;
@@ -20,7 +20,7 @@ inline DoubleLanes scale_to_one(const DoubleLanes& size) {
 
 inline Moving<DoubleLanes> scaled(const DoubleLanes& s, const Moving<DoubleLanes>& v) { return {s * v.at0, s * v.at1}; }
 
-/// In the unit of the vertices; the same sum as Separations::between.
+/// The pairs' separations in the unit of the vertices: the same sum as Separations::between.
 template <PairKind kind>
 inline DoubleLanes load_separation(const PackedVertex* vertices, const PairBuffer& pairs, int first,
                                    const PairSeparation<double>& separation) {
@@ -74,7 +74,7 @@ inline Moving<FloatLanes> to_float(const Moving<DoubleLanes>& low, const Moving<
   return {to_float(low.at0, high.at0), to_float(low.at1, high.at1)};
 }
 
-/// Twice as many pairs, rounded to float: the rounding is within the kInput of float lanes.
+/// The motions of twice as many pairs, in doubles, rounded to float: the rounding is within the kInput of float lanes.
 template <PairKind kind>
 inline PairMotion<FloatLanes> load_motion_as_float(const MotionView& view, const PairBuffer& pairs, int first) {
   static_assert(kFloatLanes == 2 * kDoubleLanes);
@@ -89,8 +89,8 @@ inline PairMotion<FloatLanes> load_motion_as_float(const MotionView& view, const
           to_float(low.separation, high.separation)};
 }
 
-/// As many pairs as there are lanes of floats, from the floats that boxes are made of; what rounding the vertices to
-/// these may hide is in the separation.
+/// The motions of as many pairs as there are lanes of floats, from the floats that boxes are made of. The separation
+/// includes what rounding the vertices to these floats may hide.
 template <PairKind kind, Course course = Course::step>
 inline PairMotion<FloatLanes> load_box_motion(const MotionView& view, const PairBuffer& pairs, int first) {
   Moving<FloatLanes> at[vertex_count(kind)];

@@ -1,5 +1,5 @@
-// Selection: which of many numbers has a given rank? Many are partitioned around pivots from a sample, a little beyond
-// the rank (Floyd, Rivest 1975); among the few that are left it is found by interpolation search.
+// Selection: which of many numbers has a given rank? Pivots from a sample, a little beyond the rank, partition the
+// numbers until few are left (Floyd, Rivest 1975); interpolation search finds the rank among these.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// `below` numbers are less than `at`: exactly `rank` many, or numbers equal to `at` make up the difference.
+/// `below` numbers are less than `at`. If these are fewer than `rank`, numbers equal to `at` make up the difference.
 struct Cut {
   float at;
   std::size_t below;
@@ -49,12 +49,12 @@ inline Sides sides_of(float guess, const float* numbers, std::size_t count) {
   return sides;
 }
 
-/// The same for few numbers within `extent`. Every guess excludes at least one of them.
+/// cut_at_rank() for few numbers within `extent`. Every guess excludes at least one of them.
 inline Cut cut_few(const float* numbers, std::size_t count, std::size_t rank, NumberRange extent) {
   auto [low, high] = extent;
   std::size_t below_low = 0, below_high = count;
   for (int guesses = 0; low < high; ++guesses) {
-    // As if they were spread evenly; and halfway, where they are not.
+    // Guesses alternate: one as if the numbers were spread evenly, one halfway, where they are not.
     const float part = static_cast<float>(rank - below_low) / static_cast<float>(below_high - below_low);
     const float between = low + (high - low) * (guesses % 2 == 0 ? part : 0.5f);
     const float guess = between > low && between < high ? between : high;
@@ -74,7 +74,7 @@ inline Cut cut_few(const float* numbers, std::size_t count, std::size_t rank, Nu
 /// A pivot from the numbers, a little beyond rank `wanted` of `count`, on the side that leaves fewer numbers.
 inline float pivot_near(const float* numbers, std::size_t count, std::size_t wanted, NumberRange extent) {
   constexpr std::uint32_t kSample = 32, kBeyond = 2;
-  constexpr std::uint32_t kGoldenRatio = 0x9e3779b9;  // of 2^32; at equal steps a grid's numbers repeat
+  constexpr std::uint32_t kGoldenRatio = 0x9e3779b9;  // of 2^32; equal steps can meet the period of a grid
   float sample[kSample];
   for (std::uint32_t i = 0, place = 0; i < kSample; ++i, place += kGoldenRatio)
     sample[i] = numbers[std::uint64_t{place} * count >> 32];
@@ -82,8 +82,8 @@ inline float pivot_near(const float* numbers, std::size_t count, std::size_t wan
   return cut_few(sample, kSample, rank <= kSample / 2 ? rank + kBeyond : rank - kBeyond, extent).at;
 }
 
-/// Copies those for which `is_low` to `low`, the others to `high`, where there is room for `count`. Either may be where
-/// the numbers are: they are overwritten then, even if none goes there. Returns how many are low.
+/// Copies the numbers for which is_low(x) to `low`, the others to `high`; both have room for `count`. Either may be
+/// `numbers`, which then is overwritten even if no number goes there. Returns how many are low.
 template <class IsLow>
 std::size_t partition_numbers(const float* numbers, std::size_t count, const IsLow& is_low, float* low, float* high) {
   std::size_t lows = 0, i = 0;
@@ -102,7 +102,8 @@ std::size_t partition_numbers(const float* numbers, std::size_t count, const IsL
   return lows;
 }
 
-/// REQUIRES (not checked: lanes): finite numbers within `extent`; rank < count. `low`, `high`: room for `count` each.
+/// The cut at `rank`. `low`, `high`: scratch for `count` numbers each. REQUIRES (not checked: lanes): finite numbers
+/// within `extent`; rank < count.
 inline Cut cut_at_rank(const float* numbers, std::size_t count, std::size_t rank, NumberRange extent, float* low,
                        float* high) {
   constexpr std::size_t kFew = 256;  // 64 and 128 take up to a tenth longer, 512 as long
@@ -112,7 +113,7 @@ inline Cut cut_at_rank(const float* numbers, std::size_t count, std::size_t rank
     const auto is_less = [&](const auto& x) { return x < FloatLanes(pivot); };
     const auto is_no_more = [&](const auto& x) { return x <= FloatLanes(pivot); };
     std::size_t lows = partition_numbers(numbers, count, is_less, low, high);
-    if (lows == 0) {  // the pivot is the least, and all are copied
+    if (lows == 0) {  // none is less than the pivot, and all are in `high`
       numbers = high;
       lows = partition_numbers(numbers, count, is_no_more, low, high);
       if (rank < lows) return {pivot, below};

@@ -1,5 +1,5 @@
-// Reach: how far apart at t=0 features in two boxes may be so that they can still end the step, by their residuals; and
-// which boxes are within it.
+// Reach: how far apart features in two boxes can be at t=0 and still end the step, by their residuals; and which boxes
+// are within that reach.
 #pragma once
 #include "kernels/box_overlap.hpp"
 
@@ -17,7 +17,7 @@ template <int residual, int high, class A, class B>
   return residual2;
 }
 
-/// The reach along an axis of features whose clearance's square is at most so much.
+/// The reach along an axis, rounded up, of features with at most this clearance^2.
 [[gnu::always_inline]] inline FloatLanes reach_of(const FloatLanes& clearance2) {
   return xsimd::sqrt(clearance2) * FloatLanes(1 + 0x1p-20f);
 }
@@ -31,7 +31,7 @@ inline float extent(const Search& search, int block) {
   return sum;
 }
 
-/// Bits of the sixteen boxes that at t=0 are, along each axis, within reach of the box `one` in that lane.
+/// Bits of the sixteen boxes that at t=0 are, along each axis, within reach of box `lane` of `one`.
 inline unsigned within_reach(const BoxBlock& one, int lane, const BoxBlock& sixteen, float reach) {
   unsigned mask = 0;
   for_sixteen_lanes([&](int first) {

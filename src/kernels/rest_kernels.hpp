@@ -1,4 +1,4 @@
-// Pairs at rest: which are within their separation, and what is to be said of those.
+// Pairs at rest: which are within their separation, and the NearPair of each.
 #pragma once
 #include "distance/rest_distance.hpp"
 #include "kernels/compress.hpp"
@@ -24,8 +24,8 @@ inline LoadedPoses load_pose(const PackedVertex* vertices, const PairBuffer& pai
           scale * load_separation<kind>(vertices, pairs, first, separation), scale};
 }
 
-/// Pairs within their separation, or by less than doubles can tell beyond it, go to `near`; those whose
-/// distance doubles do not know well enough go to `unsure` if they may be.
+/// Of the pairs that are not proven farther apart than their separation, writes those whose distance is sharp to
+/// `near`, the others to `unsure`. So `near` also gets pairs beyond their separation by less than doubles can tell.
 template <PairKind kind>
 void find_within_at_rest(const MotionView& motion, const PairBuffer& in, PairBuffer& near, PairBuffer& unsure) {
   const auto append = [&](int first, unsigned lanes, PairBuffer& to) {
@@ -46,7 +46,7 @@ void find_within_at_rest(const MotionView& motion, const PairBuffer& in, PairBuf
   }
 }
 
-/// What is said of every pair of the buffer, in its order.
+/// Writes the NearPair of every pair of the buffer, in its order.
 template <PairKind kind>
 void measure(const PackedVertex* vertices, const PairBuffer& in, NearPair* out) {
   for (int first = 0; first < in.count; first += kDoubleLanes) {

@@ -30,8 +30,8 @@ class RowPairs {
 
   RowPairs(Search& search, int block) : search_(search), block_(block), mine_(search.a.corners[block]) {}
 
-  /// Bits of the sixteen that share a vertex with the one, which is in that lane; in my own block, also of those up to
-  /// mine.
+  /// Bits of the sixteen that share a vertex with the one, which is in lane `lane`. If both blocks are the same, also
+  /// of the lanes up to `lane`, so that each pair is found once.
   template <One one>
   unsigned neighbours(int leaf, int lane) const {
     unsigned mask = kIsSelf && leaf == block_ ? ~(~1u << lane) : 0;
@@ -39,7 +39,7 @@ class RowPairs {
     return mask;
   }
 
-  /// Appends to the buffer the pairs of the one feature, in that lane, with the features of the bits of `found`.
+  /// Appends to the buffer the pairs of the one feature, in lane `lane`, with the features whose bits are in `found`.
   template <One one>
   void append(int leaf, int lane, unsigned found, float t_limit) const {
     PairBuffer& pairs = *search_.pairs;
@@ -57,8 +57,8 @@ class RowPairs {
       const auto my = [&](int corner) { return of(mine_, One::mine, corner); };
       const auto their = [&](int corner) { return of(theirs, One::theirs, corner); };
       if constexpr (kIsSelf) {
-        // The smaller edge first, so that the answer does not depend on the order in the tree: by its first vertex,
-        // in which two edges without a common vertex differ.
+        // The edge with the smaller first vertex comes first, so that the answer does not depend on the order in the
+        // tree. Edges without a common vertex differ in their first.
         const auto is_first = my(0) < their(0);
         for (int c = 0; c < 2; ++c) {
           put(c, select(is_first, my(c), their(c)));
@@ -86,7 +86,7 @@ class RowPairs {
     constexpr int kCornersOfOne = one == One::mine ? kCornersOfMine : kCornersOfTheirs;
     constexpr int kCornersOfSixteen = one == One::mine ? kCornersOfTheirs : kCornersOfMine;
     const auto corners = of_row<one>(mine_, theirs);
-    Unsigned differ(~0u);  // 0 where two vertices are one: cheaper than as many masks
+    Unsigned differ(~0u);  // 0 where two vertices are equal: cheaper than a mask for each two
     for (int c = 0; c < kCornersOfOne; ++c)
       for (int o = 0; o < kCornersOfSixteen; ++o)
         differ = xsimd::min(differ,

@@ -55,7 +55,7 @@ class BlockSearch {
     unsigned mask = lanes_that_meet(
         boxes_, [&](int k, int) { return FloatLanes(my_hull_[k]); },
         [&](int k, int first) { return hulls.lanes(k, first); });
-    // In the same tree only blocks from this one on: child c covers leaf blocks below (c + 1) 16^(level-1).
+    // Of the same tree only leaf blocks from mine on: child c covers leaf blocks below (c + 1) 16^(level-1).
     if (rows_.kIsSelf) mask &= from_bit((block_ >> (4 * (level - 1))) - node * kBlock);
     return search_.a.has_exclusions ? without_excluded(mask, level, node) : mask;
   }
@@ -77,7 +77,7 @@ class BlockSearch {
   }
 
   /// Can any reach be short? The reach between two blocks is at least half of that within mine, as any residual is at
-  /// least half the range of mine away from one of its ends.
+  /// least half the range of my residuals away from one end of that range.
   void expect_short_reaches() {
     const auto mine = [&](int k) { return FloatLanes(my_hull_[k]); };
     extent_ = extent(search_, block_);

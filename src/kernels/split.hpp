@@ -1,5 +1,4 @@
-// Splitting the centers of features in two along their longest axis: sixteen at a time, without branches on
-// coordinates.
+// Splits the centers of features in two along their longest axis, in lanes, without branches on coordinates.
 #pragma once
 #include "bvh/spatial_order.hpp"
 #include "kernels/rank.hpp"
@@ -54,7 +53,7 @@ class Partition {
   Partition(const Centers& centers, const Centers& scratch, std::size_t count, std::size_t lower)
       : centers_(centers), scratch_(scratch), count_(count), high_(lower) {}
 
-  /// `low`: bits of the low ones of the lanes that start at `first`, `lanes` of them in use.
+  /// Puts the `lanes` centers from `first` on. `low`: bits of the low ones.
   void take(std::size_t first, unsigned low, int lanes) {
     const int lows = count_bits(low);
     if (lanes < kFloatLanes)
@@ -67,7 +66,7 @@ class Partition {
   std::size_t lows() const { return low_; }
 
  private:
-  /// What lies behind the last high one is not this partition's: no batch may reach beyond it.
+  /// No batch may reach beyond place count_ of the scratch: the memory there belongs to another partition.
   void put(std::size_t first, unsigned low) const {
     constexpr unsigned kAll = (1u << kFloatLanes) - 1;
     const auto feature = IntLanes::load_unaligned(centers_.feature + first);
@@ -88,7 +87,7 @@ class Partition {
     }
   }
 
-  /// Fewer than a batch.
+  /// For fewer centers than a batch.
   void put_singly(std::size_t first, unsigned low, int lanes) const {
     std::size_t low_place = low_, high_place = high_;
     for (int i = 0; i < lanes; ++i) {
@@ -118,7 +117,7 @@ void partition_at(const Cut& cut, const float* along, const Centers& centers, co
                   std::size_t lower) {
   Partition<axes> parts(centers, scratch, count, lower);
   const FloatLanes pivot(cut.at);
-  std::size_t equal = lower - cut.below;  // the first so many of those equal to the cut are low ones
+  std::size_t equal = lower - cut.below;  // so many numbers equal to the cut, the first ones, are low
   for (std::size_t first = 0; first < count; first += kFloatLanes) {
     const int lanes = count - first < kFloatLanes ? static_cast<int>(count - first) : kFloatLanes;
     const unsigned in_use = (1u << lanes) - 1;

@@ -7,7 +7,7 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// The first test of may_end_step(), on the floats of the boxes: half the memory to read for most of the pairs.
+/// The first test of may_end_step(), on the floats of the boxes: most pairs need no other, and half the memory is read.
 template <PairKind kind>
 void leave_out_kept(const MotionView& motion, const KeepRule& rule, PairBuffer& pairs) {
   int count = 0;
@@ -34,7 +34,7 @@ void may_end_step(const MotionView& motion, const KeepRule& rule, PairBuffer& in
     const FloatLanes until = min(FloatLanes::load_unaligned(in.t_out + first), FloatLanes(1.0f));
     unsigned left = lanes_in_use(in, first, kFloatLanes) & ~bits(gap.is_kept(until));
     if (left) left &= ~bits(StartGap::exceeds<kind>(m, FloatLanes(rule.reach_per_speed)));
-    if (left) left &= ~bits(gap.is_kept(until, kTurningGapParts));  // axes turn less in each
+    if (left) left &= ~bits(gap.is_kept(until, kTurningGapParts));  // an axis turns less in each part
     for_each_bit(left, [&](int lane) { copy_pair(in, first + lane, out); });
   }
 }

@@ -1,4 +1,4 @@
-// Pairs within a separation: compiled once for each instruction set.
+// Kernels for pairs with a separation; compiled once for each instruction set.
 #include "distance/turning_gap.hpp"
 #include "kernels/advance_lanes.hpp"
 #include "kernels/compress.hpp"
@@ -7,8 +7,8 @@
 namespace tamis::TAMIS_ISA {
 namespace {
 
-/// In floats: what is culled need not be culled sharply, and twice as many pairs fit. Returns the number of pairs that
-/// are left, in `out`, which may be `in`.
+/// Culls pairs by one axis that turns in each of `parts` parts of their times. In floats: culling need not be sharp,
+/// and twice as many pairs fit into the lanes. Writes the pairs left to `out`, which may be `in`; returns their number.
 template <PairKind kind>
 int cull_in_parts(int parts, const MotionView& motion, const PairBuffer& in, PairBuffer& out) {
   int count = 0;
@@ -23,7 +23,7 @@ int cull_in_parts(int parts, const MotionView& motion, const PairBuffer& in, Pai
   return count;
 }
 
-/// To a list of what is left.
+/// The sink of AdvanceLanes that lists pairs that touch or are undecided.
 struct SolvedSink {
   void free(std::int32_t) {}
   void undecided(std::int32_t place) { out[count++] = {place, false, 0, 1, 0, 0, {0, 0, 0}}; }

@@ -60,8 +60,7 @@ class AdvanceLanes {
     const auto m = load(in, first);
     const unsigned all = lanes_in_use(in, first);
     unsigned fit = all & finite_lanes(m);
-    if constexpr (can_cross(kind))
-      fit &= bits(m.separation > Lanes(0));  // unfit: no separation, or one that underflows
+    if constexpr (can_cross(kind)) fit &= bits(m.separation > Lanes(0));  // 0: none, or one that underflows
     const auto clip = SlabClip::clip<kind>(m, TimeInterval<Lanes>{Lanes(0), Lanes(1)});
     const unsigned free = fit & bits((clip.t_in > clip.t_out) | (clip.t_in > Lanes(latest_)));
     std::int32_t places[kDoubleLanes];
@@ -104,8 +103,7 @@ class AdvanceLanes {
     for_each_bit(free, [&](int i) { sink_.free(places[i]); });
     append(pairs, first, lanes & ~free & ~goes_on & ~undecided, places, next.now, min(next.now + next.ahead, end),
            touching_);
-    append(pairs, first, goes_on, places, next.now, end,
-           moving_);  // last: it overwrites `pairs` if these are moving_.pairs
+    append(pairs, first, goes_on, places, next.now, end, moving_);  // last: it may overwrite `pairs`
   }
 
   static void append(const PairBuffer& from, int first, unsigned lanes, const std::int32_t* places, const Lanes& now,

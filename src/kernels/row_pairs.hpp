@@ -86,7 +86,7 @@ class RowPairs {
     constexpr int kCornersOfOne = one == One::mine ? kCornersOfMine : kCornersOfTheirs;
     constexpr int kCornersOfSixteen = one == One::mine ? kCornersOfTheirs : kCornersOfMine;
     const auto corners = of_row<one>(mine_, theirs);
-    Unsigned differ(~0u);  // 0 where two vertices are equal: cheaper than a mask for each two
+    Unsigned differ(~0u);  // 0 where two vertices are equal: cheaper than a mask for each comparison
     for (int c = 0; c < kCornersOfOne; ++c)
       for (int o = 0; o < kCornersOfSixteen; ++o)
         differ = xsimd::min(differ,

@@ -10,8 +10,8 @@ void CandidateConsumer::begin(CandidateQuery& shared) {
   release();  // an exception may have left pairs of another query
 }
 
-/// The slab clip, then DNF where contact means a crossing; with a separation axes that turn with the pair, as DNF
-/// proves no distance.
+/// The slab clip, then DNF if contact means a crossing; otherwise axes that turn with the pair, as DNF proves no
+/// distance.
 void CandidateConsumer::consume(PairKind kind) {
   PairBuffer &boxes = thread().boxes, &clipped = thread().clipped, &filtered = thread().filtered;
   const MotionView motion = thread().motion.view();

@@ -1,5 +1,5 @@
-// Lists the pairs that may touch on a step although vertices deviate from it, for queries to come, and prepares queries
-// that such lists may serve.
+// Lists, for later queries, the pairs that may touch on a step although vertices deviate from it; and prepares lists or
+// trees for a query.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -15,7 +15,7 @@ struct CandidateQuery {
   const Query& query;
   double deviation;                      ///< as in Listing
   std::atomic<std::int64_t> pairs_left;  ///< how many more may be listed
-  Bound bound = {};                      ///< settled: there are too many
+  Bound bound = {};                      ///< settled: the listing is given up
 };
 
 /// Lists pairs that may touch although vertices deviate from the step, and decides none.
@@ -26,9 +26,9 @@ class CandidateConsumer final : public PairStream {
   using PairStream::PairStream;
 
   void begin(CandidateQuery& shared);
-  /// Those found since they were last taken.
+  /// The pairs found since they were last taken.
   PairLists& candidates() { return candidates_; }
-  /// Gives back the memory of the lists: they are made once in many queries.
+  /// Frees the memory of the lists: only one query in many makes lists.
   void release() { candidates_ = {}; }
 
   bool wants(PairKind) const override { return !shared_->bound.is_settled(); }
@@ -52,14 +52,15 @@ class CandidateSearch {
   bool list(const Query& query, const Listing& listing, PairLists& lists, Statistics& statistics);
   /// Prepares lists or trees for a query. Returns true if the lists are to be asked: the vertices of this step are then
   /// loaded, if the lists hold any pair. Returns false if the trees must be searched, which are then of this step.
-  /// `is_listed`: the lists that there are serve this query. If not, others are made where they are worth it.
+  /// `is_listed`: the present lists serve this query. If not, others are made if they are worth their cost.
   bool prepare(const Query& query, LooksAt looks_at, bool is_listed, KeptLists& kept, Statistics& statistics);
   std::uint64_t memory_bytes() const { return streams_.memory_bytes(); }
 
  private:
-  /// A list holds no more, times the number of leaf blocks.
+  /// The lists hold at most this many pairs for each leaf block.
   static constexpr std::int64_t kMostPairsPerBlock = 256;
-  /// Samples are uneven: one may list, and cost, so much more than its share.
+  /// Samples are uneven: those searched so far may exceed their share of the pairs, and of the work, by these parts of
+  /// the most.
   static constexpr double kSmallestPart = 1.0 / 64, kPartToTry = 0.25;
 
   Workspace& workspace_;

@@ -61,7 +61,7 @@ void ContactConsumer::add(PairKind kind, const PairVertices& vertices, PairResul
   found_.add(kind, vertices, result);
 }
 
-/// All contacts are all decided; of other questions one may spare the next.
+/// For all contacts, decides every pair. For other questions, a decided pair may spare the next ones.
 void ContactConsumer::decide_singly(PairKind kind, std::span<const int> places) {
   const PairBuffer& pairs = thread().filtered;
   const auto decided = [&](int place, PrecisionCount& counts) {

@@ -1,5 +1,5 @@
-// Consumer for contacts, earliest and is_free: slab clip, DNF and NCF, roots in lanes, and singly what those leave
-// undecided; with a separation axes that turn with the pair, and advancement, in place of DNF, NCF and roots.
+// Consumer for contacts, earliest and is_free: slab clip, DNF and NCF, roots in lanes, then the undecided pairs one by
+// one. With a separation, axes that turn with the pair and advancement take the place of DNF, NCF and roots.
 #pragma once
 #include <array>
 #include <memory>
@@ -30,12 +30,12 @@ class ContactConsumer final : public PairStream {
   std::uint64_t memory_bytes() const { return found_.memory_bytes() + (list_scratch_ ? sizeof(ListScratch) : 0); }
 
  private:
-  /// Removes pairs that the caller's filter, or what is known already, leaves out.
+  /// Removes pairs that groups or the caller's filter leave out, or that can no longer change the answer.
   void leave_out_unwanted(PairKind kind);
-  /// Decides the pairs of thread().boxes as those of narrow_phase() lists (Query::depends_on_pair_alone).
+  /// Decides the pairs of thread().boxes as narrow_phase() decides a list (Query::depends_on_pair_alone).
   void decide_as_list(PairKind kind);
   void add(PairKind kind, const PairVertices& vertices, PairResult& result);
-  /// Pairs of thread().filtered.
+  /// `places`: of pairs in thread().filtered.
   void decide_singly(PairKind kind, std::span<const int> places);
 
   struct ListScratch {
@@ -44,7 +44,7 @@ class ContactConsumer final : public PairStream {
   };
 
   ContactCollector found_;
-  std::unique_ptr<ListScratch> list_scratch_;  ///< made where it is used
+  std::unique_ptr<ListScratch> list_scratch_;  ///< made when first used
 };
 
 }  // namespace tamis

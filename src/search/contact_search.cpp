@@ -55,7 +55,7 @@ void ContactSearch::search_lists(ContactCollector& answer) {
 /// For steps on which vertices go very far (scene_beginning.hpp): the first contact comes early, and is searched for in
 /// beginnings of the step. Returns whether it was found there; if not, the trees are of the whole step again.
 bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& statistics) {
-  constexpr int kBeginnings = 4;  // where no contact comes early they are searched in vain
+  constexpr int kBeginnings = 4;  // without an early contact they are searched in vain
   constexpr double kLonger = 16;
   const Query& query = answer.query();
   FeatureTrees& trees = workspace_.trees;
@@ -71,7 +71,7 @@ bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& stat
       answer.count_ignored_anew();
       streams_.search_lists(lists, {0, 1}, {0, 1}, float_after(answer.bound().latest()));
       gather(answer);
-      if (answer.bound().latest() < length) return true;  // what is not listed touches at `length` or later
+      if (answer.bound().latest() < length) return true;  // pairs that are not listed touch at `length` or later
     }
     trees.refit_for(query.step, query.separations);
     streams_.begin(answer);
@@ -85,16 +85,15 @@ void ContactSearch::search_trees(ContactCollector& answer) {
   const FeatureTrees& trees = workspace_.trees;
   TAMIS_ASSERT(trees.are_of(answer.query().step));
   answer.count_ignored_anew();
-  float t_limit = float_after(answer.bound().latest());  // lists may have found something
+  float t_limit = float_after(answer.bound().latest());  // lists may have found a contact
   for (const Sample& sample : samples_for(answer.query(), trees.most_leaf_blocks())) {
     streams_.search_trees(sample, t_limit);
     t_limit = std::min(t_limit, gather(answer));
   }
 }
 
-/// Collects what the threads have found in `answer`, and tells each thread the first contact so far. Returns the time
-/// after which nothing is of interest: the step is shortened only between samples, so that answers do not depend on
-/// threads.
+/// Collects the contacts of all threads in `answer`, and tells each thread the first contact so far. Returns the latest
+/// time of interest. The step is shortened only between samples, so that answers do not depend on threads.
 float ContactSearch::gather(ContactCollector& answer) {
   streams_.for_each([&](ContactConsumer& consumer) { answer.take(consumer.found()); });
   streams_.for_each([&](ContactConsumer& consumer) { consumer.found().learn(answer); });

@@ -14,12 +14,13 @@ namespace {
 /// Trees are rebuilt once the leaf blocks' swept area exceeds that at the last build by this factor
 /// (docs/history/performance.md: "When to rebuild").
 constexpr double kPoorArea = 1.5;
-/// Or once their area at the start does by this one, whatever they sweep over: steps are of all lengths.
+/// Trees are also rebuilt once the area at the start exceeds that at the last build by this factor, whatever they sweep
+/// over: the swept area depends on the length of the step.
 constexpr double kPoorStart = 8;
-/// Building costs about as much as visiting so many pairs of nodes for each leaf block.
+/// Building costs about as much as visiting this many pairs of nodes for each leaf block.
 constexpr std::uint64_t kNodesPerBlock = 9;
-/// A step is long where leaf blocks sweep over so many times their own area. After every kStartInRow questions in a row
-/// that look at the start, it is tested whether an order of their own would pay.
+/// A step is long if leaf blocks sweep over more than kFarAreas times their own area. On long steps, every
+/// kStartInRow-th question in a row that looks at the start tests whether an order by the start would pay.
 constexpr double kFarAreas = 4;
 constexpr int kStartInRow = 8;
 
@@ -95,7 +96,7 @@ void FeatureTrees::update_trees(LooksAt looks_at, Statistics& statistics) {
     if (!boxes_are_current_) refit_trees();
     if (is_order_good(looks_at)) return;
   }
-  built_areas_.reset();  // until all are built
+  built_areas_.reset();  // until all trees are built
   boxes_are_current_ = false;
   axes_ = best_axes(looks_at);
   for_each_tree(

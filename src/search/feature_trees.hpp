@@ -16,8 +16,8 @@ namespace tamis {
 /// Kept from question to question.
 class FeatureTrees {
  public:
-  /// Keeps references: mesh and options must outlive it. Whatever throws Cancelled leaves trees that the next question
-  /// can use.
+  /// Keeps references: mesh and options must outlive it. A call that throws Cancelled leaves trees that the next
+  /// question can use.
   FeatureTrees(const Mesh& mesh, const Options& options, const Kernels& kernels);
   FeatureTrees(const FeatureTrees&) = delete;
   FeatureTrees& operator=(const FeatureTrees&) = delete;
@@ -28,19 +28,19 @@ class FeatureTrees {
   /// chosen for other questions. Does nothing if they are current, in an order that serves. Adds seconds and `rebuilt`.
   void refit_or_rebuild(const Step& step, const Separations& separations, LooksAt looks_at, Statistics& statistics);
 
-  /// Refits, in the old order, whatever the step. REQUIRES: an earlier refit_or_rebuild() that ended.
+  /// Refits to any step in the old order. REQUIRES: an earlier refit_or_rebuild() that ended.
   void refit_for(const Step& step, const Separations& separations);
-  /// Loads the vertices alone. The boxes stay those of another step, if of any, and must not be searched.
+  /// Loads the vertices alone. The boxes stay those of an earlier step, if any, and must not be searched.
   void load_vertices(const Step& step, const Separations& separations, Statistics& statistics);
   /// Are boxes and vertices those of this step? Judged by one vertex.
   bool are_of(const Step& step) const;
-  /// Refits the boxes of residuals, what is left of displacements beside a shared motion. REQUIRES: current boxes.
+  /// Refits the boxes of residuals: displacements less a shared motion. REQUIRES: current boxes.
   void refit_residuals(const SharedMotion& shared);
-  /// Until another step is loaded, searches leave out pairs of blocks without a vertex that is not 0 here. Empty: none.
-  /// REQUIRES: as above, or empty.
+  /// Marks the vertices that are not 0 here: until another step is loaded, searches leave out pairs of blocks without
+  /// a marked vertex. Empty: they leave out none. REQUIRES: current boxes, or empty.
   void mark(std::span<const std::uint8_t> of_vertex);
 
-  /// Takes note of a search that visited so many pairs of nodes.
+  /// Takes note of the pairs of nodes that a search visited.
   void add_search(std::uint64_t nodes) {
     if (is_order_in_doubt_) nodes_in_doubt_ += nodes;
   }
@@ -69,12 +69,12 @@ class FeatureTrees {
   bool is_order_of_start() const { return axes_.time == 0; }
   OrderAxes best_axes(LooksAt looks_at) const;
   BlockTree::Areas areas() const;
-  /// Of both features of a kind. Loose points are searched against loose edges and each other: all other contacts of
-  /// points and edges are among those of faces and of edges.
+  /// The trees of a kind's two features. Loose points are searched against loose edges and each other: all other
+  /// contacts of points and edges are among those of faces and of edges.
   std::array<const BlockTree*, 2> trees_of(PairKind kind) const;
   std::array<BlockTree*, 5> trees() { return {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}; }
   std::array<const BlockTree*, 5> trees() const { return {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}; }
-  /// Calls f(tree) for each, for all at a time where they are large.
+  /// Calls f(tree) for each tree, in parallel if the mesh is large.
   template <class F>
   void for_each_tree(const F& f);
   /// Loads the vertices; the boxes stay current only if no vertex has changed.
@@ -89,7 +89,7 @@ class FeatureTrees {
   OrderAxes axes_;
   std::optional<BlockTree::Areas> built_areas_;  ///< at the last build; nothing before the first
   double built_scale_ = 1;
-  bool is_order_in_doubt_ = false;    ///< the order is by displacements, but the current step's are much shorter
+  bool is_order_in_doubt_ = false;    ///< the order is by displacements, but the current step is not long
   std::uint64_t nodes_in_doubt_ = 0;  ///< visited for such steps since the trees were built
   int start_in_row_ = 0;              ///< questions in a row that were not about the whole step
   bool boxes_are_current_ = false;    ///< they are of the vertices that were loaded last

@@ -23,7 +23,8 @@ void IntersectionConsumer::begin(IntersectionQuery& shared) {
   found_.clear();
 }
 
-/// A detector's intersections heed groups alone: the caller's own function is about the kinds of pairs.
+/// Groups alone leave out a detector's intersections, as filter.accepts takes pairs of a PairKind; with
+/// Query::depends_on_pair_alone `accepts` is asked, too.
 void IntersectionConsumer::consume(PairKind kind) {
   const bool depends_on_pair_alone = query().depends_on_pair_alone;
   if (!wants(kind)) thread().boxes.count = 0;
@@ -50,7 +51,7 @@ void IntersectionConsumer::add(int pair, const PairResult& r) {
   if (query().question == Question::is_free) shared_->bound.settle();
 }
 
-/// Where one is enough it spares the next.
+/// For is_free one intersection is enough, and spares the pairs after it.
 void IntersectionConsumer::decide_singly(std::span<const int> pairs) {
   const auto decided = [&](int pair, PrecisionCount& counts) {
     stop_if_cancelled(query());

@@ -31,7 +31,7 @@ class IntersectionConsumer final : public PairStream {
   std::uint64_t memory_bytes() const { return held_bytes(found_); }
 
  private:
-  /// A pair of thread().filtered.
+  /// `pair`: its place in thread().filtered.
   void add(int pair, const PairResult& result);
   void decide_singly(std::span<const int> pairs);
 

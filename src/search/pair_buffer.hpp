@@ -32,8 +32,8 @@ inline void search_block(SearchKernel kernel, Search& search, int block) {
   kernel(search, block);
 }
 
-/// Keeps the pairs for which is_wanted(i). From the first that is not on, without branches.
-/// REQUIRES: no more than it holds.
+/// Keeps the pairs for which is_wanted(i); from the first unwanted pair on without branches.
+/// REQUIRES: a count within the capacity.
 template <class F>
 void keep_wanted(PairBuffer& pairs, const F& is_wanted) {
   TAMIS_ASSERT(0 <= pairs.count && pairs.count <= PairBuffer::kCapacity);
@@ -49,7 +49,7 @@ void keep_wanted(PairBuffer& pairs, const F& is_wanted) {
   pairs.count = kept;
 }
 
-/// The search finds two loose points from both sides: keeps one.
+/// The search finds each pair of loose points from both sides: keeps one of the two.
 inline void keep_each_once(PairKind kind, PairBuffer& pairs) {
   if (kind == PairKind::vertex_vertex)
     keep_wanted(pairs, [&](int i) { return pairs.corner[0][i] < pairs.corner[1][i]; });

@@ -1,5 +1,5 @@
 // One thread's stream of pairs: it searches leaf blocks, or a list, into a small buffer, and consumes each full buffer.
-// How is said by a derived class, one for each question (*_consumer, *_search).
+// A derived class for each question says how (*_consumer, *_search).
 #pragma once
 #include "coherence/pair_lists.hpp"
 #include "query/query.hpp"
@@ -21,10 +21,10 @@ class PairStream {
   PairStream(const PairStream&) = delete;
 
   /// Searches every `blocks.stride`-th leaf block of `a` against all of `b`, for pairs that may touch until `t_limit`.
-  /// REQUIRES, as the next: no pairs of another kind in the buffer.
+  /// REQUIRES, like the next function: no pairs of another kind in the buffer.
   void search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit);
-  /// Takes the pairs of a list that may touch at some time of `when`, a time of the list, for contacts until `t_limit`,
-  /// a time of the query.
+  /// Takes the pairs of a list that may touch at some time of `when`, for contacts until `t_limit`. `when` is in times
+  /// of the list's step, `t_limit` in times of the query's.
   void search(PairKind kind, std::span<const Candidate> pairs, const TimeInterval<float>& when, float t_limit);
   /// Consumes what is still in the buffer.
   void finish();

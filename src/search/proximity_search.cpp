@@ -44,7 +44,7 @@ void ProximityConsumer::keep(PairKind kind, PairBuffer& pairs) {
 }
 
 void ProximityConsumer::describe(PairKind kind, std::span<const PairVertices> pairs, NearPair* out) {
-  constexpr std::size_t kAtOnce = 128;  // what is on its way stays in the first cache
+  constexpr std::size_t kAtOnce = 128;  // so few pairs stay in the first cache
   PairBuffer& buffer = thread().clipped;
   for (std::size_t first = 0; first < pairs.size(); first += kAtOnce) {
     stop_if_cancelled(query());

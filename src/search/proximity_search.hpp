@@ -1,4 +1,4 @@
-// The pairs within a distance in one pose, in order, with what NearPair says of each.
+// Finds the pairs within a distance in one pose, in order, and the NearPair of each.
 #pragma once
 #include <array>
 #include <vector>

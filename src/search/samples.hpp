@@ -19,7 +19,8 @@ class Samples {
  public:
   /// All blocks at once.
   Samples() { add({0, 1}); }
-  /// Up to kMostSamples of so many leaf blocks. A sample has an overhead, so the first has at least kFewestBlocks.
+  /// Up to kMostSamples samples of `blocks` leaf blocks. A sample has an overhead, so the first has at least
+  /// kFewestBlocks.
   explicit Samples(int blocks) {
     int stride = 1 << (kMostSamples - 1);
     while (stride > 1 && blocks < kFewestBlocks * stride) stride /= 2;

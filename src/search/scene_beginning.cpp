@@ -11,10 +11,10 @@
 namespace tamis {
 namespace {
 
-/// Where the scene at t=0 is this part of the displacements or less, the floats of the boxes have lost so many bits of
-/// it that they cull little.
+/// If the scene's width at t=0 is less than this part of the range of displacements, the floats of the boxes have lost
+/// so many bits of the scene that they cull little.
 constexpr double kSmallPart = 0x1p-8;
-/// The part of the scene's width that vertices may move in a beginning: they meet few others on it.
+/// The part of the scene's width that vertices may move in a beginning: they meet few others on so short a way.
 constexpr double kPartOfWidth = 1.0 / 16;
 
 /// Half the range of coordinates along the axis where it is widest, from half coordinates, which do not overflow.
@@ -39,7 +39,7 @@ double beginning_of_long_step(const Step& step, std::span<const Index> points, d
   return 0 < part && part < kSmallPart ? std::ldexp(kPartOfWidth, std::ilogb(part)) : 1;
 }
 
-/// (1 - length) start + length end takes four roundings, and what underflows: 2^-50 and 2^-1000 an axis are more.
+/// (1 - length) start + length end is off by four roundings and by underflow: 2^-50 and 2^-1000 an axis exceed these.
 Listing listing_of_beginning(const Query& query, std::span<const Index> points, double length) {
   TAMIS_ASSERT(0 < length && length <= 1);
   const Step& step = query.step;

@@ -22,8 +22,8 @@ struct SearchCounts {
             total(boxes) + kClippedPair * (total(dnf) + total(apart))};
   }
   SearchCounts& operator+=(const SearchCounts& other);
-  /// Adds to what earlier passes cost. `wall`: wall-clock seconds of this pass, which are shared out in proportion.
-  /// `stages`: those of the question, in order.
+  /// Adds the counts to `statistics`, beside those of earlier passes. `wall`: wall-clock seconds of this pass, which
+  /// are shared out in proportion. `stages`: those of the question, in order.
   void add_to(Statistics& statistics, double wall, std::initializer_list<StageCount SearchCounts::*> stages) const;
 };
 

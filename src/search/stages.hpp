@@ -18,7 +18,7 @@ int decide_crossings(SearchThread& thread, PairKind kind, const PairKernels& sta
 void filter_crossings(SearchThread& thread, PairKind kind, const PairKernels& stages);
 
 /// Decides which pairs come within their separation until `latest`: slab clip, axes that turn, advancement in lanes.
-/// Results as above.
+/// Results as of decide_crossings().
 int decide_within_separation(SearchThread& thread, PairKind kind, double latest);
 
 /// Calls add(place, PairResult) for each pair that touches, and returns the places of those that are undecided, in
@@ -40,8 +40,8 @@ std::span<const int> add_solved(SearchThread& thread, int count, const Add& add)
   return thread.undecided;
 }
 
-/// What decide(place, counts), of a pair of thread.filtered, says of each place, in thread.decided: a pair takes a
-/// microsecond or a hundred, so threads that have nothing else to do share them.
+/// Returns decide(place, counts) for each place of a pair in thread.filtered; the results are in thread.decided. A pair
+/// takes a microsecond or a hundred, so threads that have nothing else to do share the pairs.
 template <class Decide>
 std::span<const PairResult> decide_each(SearchThread& thread, std::span<const int> places, const Decide& decide) {
   constexpr std::size_t kGrain = 16;
@@ -52,7 +52,7 @@ std::span<const PairResult> decide_each(SearchThread& thread, std::span<const in
     for (; begin != end; ++begin) thread.decided[begin] = decide(places[begin], counts);
     return counts;
   };
-  isolated([&] {  // a thread that waits here must not begin another part of the search: that would use its buffers
+  isolated([&] {  // a thread that waits here must not begin another part of the search, which would use its buffers
     const auto sum = [](PrecisionCount a, const PrecisionCount& b) { return a += b; };
     thread.counts.decided_by += joined_parts(places.size(), kGrain, PrecisionCount(), sum, decide_part);
   });

@@ -21,7 +21,7 @@ KeepRule StepLengthQuery::rule() const {
 }
 
 /// A pair can end the step only if (stretch - fraction) clearance <= until residual + advance clearance
-/// + (1 - stretch) separation; without a gradient, only if its speed suffices, by the bound that decide() has, too.
+/// + (1 - stretch) separation; without a gradient, only if its speed suffices, by the same bound as in decide().
 ClearanceBounds StepLengthQuery::clearance_bounds(double until) const {
   constexpr double kShare = 0.25;  // (x + y + z)^2 <= (1 + kShare) x^2 + 2 (1 + 1 / kShare) (y^2 + z^2)
   const auto& [least, greatest] = shared_motion.stretch;
@@ -46,10 +46,10 @@ void StepLengthConsumer::consume(PairKind kind) {
   PairBuffer &boxes = thread().boxes, &near = thread().filtered;
   of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   if (limit_.time == 0) keep_wanted(boxes, [&](int i) { return !limit_.rules_out(kind, vertices_of(kind, boxes, i)); });
-  leave_out_unchanged(query().changed, kind, boxes);  // costs less than what follows
+  leave_out_unchanged(query().changed, kind, boxes);  // costs less than the tests below
   leave_out_groups(query().filter, kind, boxes);
   if (can_cross(kind)) thread().kernels.of(kind).may_end_step(thread().motion.view(), shared_->rule(), boxes, near);
-  PairBuffer& left = can_cross(kind) ? near : boxes;  // loose points are few
+  PairBuffer& left = can_cross(kind) ? near : boxes;  // pairs of loose points are few
   of(counts.near, kind) += static_cast<std::uint64_t>(left.count);
   leave_out(query().filter, kind, left);
   counts.filter += thread().watch.lap();

@@ -1,4 +1,4 @@
-// Consumer for step lengths: gaps along axes that turn, then along fixed axes, and singly what those leave.
+// Consumer for step lengths: gaps along axes that turn, then along fixed axes, then the remaining pairs one by one.
 #pragma once
 #include <vector>
 
@@ -16,14 +16,14 @@ struct StepLengthQuery {
   double fraction;
   bool lists_all;                   ///< all pairs that end the step are listed: the bound is not lowered
   float spread = 0;                 ///< as in PackedMotion
-  SharedMotion shared_motion = {};  ///< what residuals leave out
+  SharedMotion shared_motion = {};  ///< the motion that residuals leave out
   double separation = 0;            ///< the largest of any pair, in the coordinates of the boxes
   Bound bound = {};
 
-  /// Which pairs may still end the step first, in time or in the order of contacts. Until a time later by 2^-15, which
-  /// covers its own rounding, that of the searches in floats, and what the times of single pairs lose to it (2^-18,
-  /// keeps_distance_until): so a pair is never left out that might have had the same time as the first, and the order
-  /// of the search changes nothing.
+  /// The rule for pairs that may still end the step first, in time or in the order of contacts. Its limit is later than
+  /// the bound by 2^-15 of it, which covers the limit's own rounding, that of the searches in floats, and what the
+  /// times of single pairs lose (2^-18, keeps_distance_until). So no pair is left out that might have the same time as
+  /// the first, and the order of the search changes nothing.
   KeepRule rule() const;
 
  private:

@@ -8,15 +8,15 @@
 namespace tamis {
 namespace {
 
-/// Where leaf blocks meet so many pairs, short steps are searched first, on which they meet few: a pair that ends one
-/// spares the rest.
+/// If leaf blocks meet more than this many pairs each, short steps, on which they meet few, are searched first: a pair
+/// that ends a short step spares the rest of the search.
 constexpr std::uint64_t kManyPairsPerBlock = 1024;
 constexpr double kShortSteps[] = {0x1p-6, 0x1p-3};
 /// Short steps are no longer than this part of the time known to end the step: one that is hardly shorter meets hardly
 /// fewer pairs (docs/history/performance.md, "Steps made to be slow").
 constexpr double kShort = 0.25;
-/// In the coordinates of the boxes: within such a separation all boxes meet but those of outliers; within the other,
-/// these too.
+/// In the coordinates of the boxes: with the separation kMeetsAll all boxes meet but those of outliers; with
+/// kMeetsOutliers, these too.
 constexpr double kMeetsAll = 8, kMeetsOutliers = 4 * BoxFrame::kFarthest;
 
 }  // namespace
@@ -85,7 +85,7 @@ void StepLengthSearch::search_trees(StepLengthQuery& asked) {
   for (const Sample& sample : std::span(samples).subspan(1)) streams_.search_trees(sample);
 }
 
-/// Has the sample, the first that is searched, met many pairs a leaf block?
+/// Has the search met many pairs a leaf block in `sample`, its first one?
 bool StepLengthSearch::meets_many(const Sample& sample) const {
   std::uint64_t blocks = 0;
   workspace_.trees.for_each_kind([&](PairKind, const TreeView& a, const TreeView&) {
@@ -95,7 +95,7 @@ bool StepLengthSearch::meets_many(const Sample& sample) const {
   return pairs.vf + pairs.ee > kManyPairsPerBlock * blocks;
 }
 
-/// A pair that ends a short step ends it first of all.
+/// The first pair that ends a short step is also the first that ends the whole step.
 void StepLengthSearch::search_short_steps(Bound& bound, const Samples& samples) {
   for (const double until : kShortSteps) {
     const double earliest = bound.latest();

@@ -1,8 +1,8 @@
 // Conducts safe_step and truncate: how far may the step go so that every pair keeps a fraction of its distance? A pair
 // can end the step before t only if it is fast enough, (1 - fraction) (distance at t=0 - min_separation) < t * relative
-// speed, less a motion that many share, and only if it comes as near as the fraction before t. So pairs of moving boxes
-// that come as near are searched for, and each pair that ends the step earlier shortens the step for all others. Where
-// one start is asked about again and again, the pairs near there are listed, and the list is asked.
+// speed, less a motion that many share, and only if it comes as near as the fraction before t. So the search looks for
+// pairs of moving boxes that come as near, and each pair that ends the step earlier shortens it for all others. If one
+// start is asked about again and again, the pairs near it are listed, and the list is asked.
 #pragma once
 #include "coherence/pairs_near_start.hpp"
 #include "numerics/held_bytes.hpp"
@@ -25,7 +25,7 @@ class StepLengthSearch {
   std::uint64_t memory_bytes() const { return held_bytes(near_start_, streams_, candidates_); }
 
  private:
-  /// Searches; what is found stays in the consumers.
+  /// Searches; the results stay in the consumers.
   void ask(StepLengthQuery& asked, Statistics& statistics);
   bool begin(StepLengthQuery& asked, Statistics& statistics);
   void refit_residuals(StepLengthQuery& asked);

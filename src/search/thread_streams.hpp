@@ -19,7 +19,7 @@ class ThreadStreams {
   explicit ThreadStreams(Workspace& workspace)
       : workspace_(workspace), of_threads_([&workspace] { return Consumer(*workspace.threads.local()); }) {}
 
-  /// Keeps a reference until the next call.
+  /// Keeps a reference until the next begin().
   void begin(Shared& shared) {
     shared_ = &shared;
     for (Consumer& one : of_threads_) one.begin(shared);
@@ -32,7 +32,7 @@ class ThreadStreams {
   }
   /// Searches the sample's leaf blocks of `a` against all of `b`.
   void search(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample = {0, 1}, float t_limit = 1) {
-    constexpr int kFewBlocks = 16, kBlocksPerPart = 8;  // other threads take longer to wake than few blocks to search
+    constexpr int kFewBlocks = 16, kBlocksPerPart = 8;  // waking other threads takes longer than a few blocks
     const int count = sample.count_in(a.leaf_blocks);
     for_each_part(kind, count, count <= kFewBlocks ? kFewBlocks : kBlocksPerPart,
                   [&](PairStream& stream, int begin, int end) {
@@ -41,8 +41,8 @@ class ThreadStreams {
                   });
   }
 
-  /// Takes the sample's parts of the lists, which it counts as leaf blocks: pairs that may touch at some time of
-  /// `when`, a time of the lists, for contacts until `t_limit`, a time of the query.
+  /// Takes the sample of the lists' parts, in place of leaf blocks: pairs that may touch at some time of `when`, for
+  /// contacts until `t_limit`. `when` is in times of the lists' step, `t_limit` in times of the query's.
   void search_lists(const PairLists& lists, const Sample& sample = {0, 1}, const TimeInterval<float>& when = {0, 1},
                     float t_limit = 1) {
     for (std::size_t i = 0; i < kPairKinds; ++i) search(static_cast<PairKind>(i), lists, sample, when, t_limit);
@@ -76,7 +76,7 @@ class ThreadStreams {
     workspace_.trees.add_search(sum.nodes_visited);
     return sum;
   }
-  /// Beside the workspace.
+  /// Bytes held beside the workspace.
   std::uint64_t memory_bytes() const {
     std::uint64_t bytes = 0;
     for (const Consumer& one : of_threads_) bytes += one.memory_bytes();

@@ -36,8 +36,8 @@ struct SearchThread {
   PairBuffer clipped, filtered;  ///< what stages leave
   std::unique_ptr<SolvedPair[]> solved;
   std::unique_ptr<WithinScratch> within;
-  std::vector<int> undecided;       ///< what lanes leave of `filtered`
-  std::vector<PairResult> decided;  ///< the answers to these
+  std::vector<int> undecided;       ///< places in `filtered` that lanes leave undecided
+  std::vector<PairResult> decided;  ///< the results of these pairs
   SearchCounts counts;
   Stopwatch watch;  ///< runs since seconds were last added to the counts
 };
@@ -54,7 +54,7 @@ struct Workspace {
   const Mesh& mesh;
   const Kernels& kernels;
   FeatureTrees trees;
-  /// Pointers: TBB fills with zeros what it makes room for.
+  /// Pointers, as TBB fills the memory of each element with zeros.
   tbb::enumerable_thread_specific<std::unique_ptr<SearchThread>> threads;
 };
 

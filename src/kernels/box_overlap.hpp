@@ -35,12 +35,18 @@ inline FloatLanes later_outlier_margin(const BoxBlock& block, int axis, int firs
   return FloatLanes(kLaterOutlierMargin) * max(larger(block.low0, block.high0), larger(block.low1, block.high1));
 }
 
-/// The largest gap of two boxes along x, y and z: 0 or less if they meet. `a(k)`, `b(k)`: bound k of the boxes in
-/// lanes.
+/// The gap of two boxes along an axis: 0 or less if they meet there. `a(k)`, `b(k)`: bound k of the boxes in lanes, the
+/// upper end along the axis at `high` + axis.
+template <class A, class B>
+[[gnu::always_inline]] inline FloatLanes gap_along(int axis, int high, const A& a, const B& b) {
+  return max(b(axis) - a(high + axis), a(axis) - b(high + axis));
+}
+
+/// The largest gap of two boxes along x, y and z, of bounds as above, upper ends from 3 on.
 template <class A, class B>
 [[gnu::always_inline]] inline FloatLanes largest_gap(const A& a, const B& b) {
-  FloatLanes gap = max(b(0) - a(3), a(0) - b(3));  // cheaper than six masks
-  for (int axis = 1; axis < 3; ++axis) gap = max(gap, max(b(axis) - a(3 + axis), a(axis) - b(3 + axis)));
+  FloatLanes gap = gap_along(0, 3, a, b);  // cheaper than six masks
+  for (int axis = 1; axis < 3; ++axis) gap = max(gap, gap_along(axis, 3, a, b));
   return gap;
 }
 
@@ -207,7 +213,7 @@ class RestBoxes {
     const FloatLanes zero(0.0f), widened(widened_);
     FloatLanes gap2(0.0f);
     for (int axis = 0; axis < 3; ++axis) {
-      const auto gap = max(max(b(axis) - a(3 + axis), a(axis) - b(3 + axis)) + widened, zero);
+      const auto gap = max(gap_along(axis, 3, a, b) + widened, zero);
       gap2 = gap2 + gap * gap;
     }
     return gap2 <= FloatLanes(widened2_);

@@ -25,8 +25,7 @@ class ClearanceBoxes {
   template <class A, class B>
   [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
     FloatLanes gap2(0.0f);
-    for (int axis = 0; axis < 3; ++axis)
-      add_square(gap2, max(max(b(axis) - a(kHigh + axis), a(axis) - b(kHigh + axis)), FloatLanes(0.0f)));
+    for (int axis = 0; axis < 3; ++axis) add_square(gap2, max(gap_along(axis, kHigh, a, b), FloatLanes(0.0f)));
     return gap2 <= FloatLanes(per_residual2_) * greatest_residual2<kResidual, kHigh>(a, b);
   }
 

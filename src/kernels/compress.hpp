@@ -18,8 +18,8 @@ inline constexpr auto kBitPositions = [] {
 }();
 #endif
 
-/// Writes the lanes of `mask` to consecutive places from `to` on. A whole batch is written: behind them come zeros or
-/// repetitions of lane 0.
+/// Writes the lanes of `mask` to consecutive places from `to` on. A whole batch may be written: what is behind them is
+/// some lane of the batch, or zero.
 template <class T>
 inline void store_compressed(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* to) {
   static_assert(sizeof(T) == 4);

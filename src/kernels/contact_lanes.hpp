@@ -22,9 +22,6 @@ class ContactLanes {
   PairResult result(int i) const {
     return {true, Certainty::certified, at_[0][i], at_[1][i], at_[2][i], at_[3][i], {at_[4][i], at_[5][i], at_[6][i]}};
   }
-  SolvedPair solved(std::int32_t pair, bool is_decided, int i) const {
-    return {pair, is_decided, at_[0][i], at_[1][i], at_[2][i], at_[3][i], {at_[4][i], at_[5][i], at_[6][i]}};
-  }
 
  private:
   double at_[7][kDoubleLanes];

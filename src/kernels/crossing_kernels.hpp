@@ -61,7 +61,7 @@ inline int write_solved(const Crossing<DoubleLanes>& crossing, const TimeInterva
   const auto c = clipped_crossing(crossing, part);
   const ContactLanes contacts(c.lower, c.upper, c.u, c.v, c.normal);
   const unsigned touches = bits(c.touches);
-  for_each_bit(left, [&](int i) { out[count++] = contacts.solved(pairs[i], touches >> i & 1, i); });
+  for_each_bit(left, [&](int i) { out[count++] = SolvedPair{pairs[i], (touches >> i & 1) != 0, contacts.result(i)}; });
   return count;
 }
 

@@ -30,9 +30,7 @@ struct PairBuffer {
 struct SolvedPair {
   std::int32_t pair;  ///< its place in the buffer
   bool is_decided;    ///< false: to be decided singly
-  double toi_lower, toi_upper;
-  double u, v;
-  double normal[3];  ///< unit; NaN if the pair is decided, but its place is left to integers (contact_normal.hpp)
+  PairResult result;  ///< if it is decided; a normal of NaN leaves the place to integers (contact_normal.hpp)
 };
 
 /// Pairs that advance towards the time at which they come within their separation (narrow/advancement.hpp): proven
@@ -65,7 +63,7 @@ struct KeepRule {
   float fraction;         ///< rounded up
   float reach_per_speed;  ///< t_limit / (1 - fraction), rounded up
   float t_limit;          ///< rounded up; may exceed 1
-  float spread;           ///< by how much the residuals of all features differ, summed over the axes
+  float spread;           ///< by how much the residuals of features but outliers differ, summed over the axes
   ClearanceBounds clearance;
 };
 

@@ -40,7 +40,6 @@ template <PairKind kind, class Boxes, Course course>
 class LeafRows {
  public:
   using Bounds = typename Boxes::Bounds;
-  static constexpr bool kIsSelf = RowPairs<kind, course>::kIsSelf;
 
   LeafRows(Search& search, int block, const Boxes& boxes)
       : search_(search), block_(block), boxes_(boxes), row_pairs_(search, block) {
@@ -121,7 +120,7 @@ class LeafRows {
   /// For a leaf whose features move far: turns the rows around, to those of its features that may meet my hull, if that
   /// gives fewer rows.
   void ask_fewer(MetLeaf& leaf) const {
-    if (leaf.test != Test::some_time || (kIsSelf && leaf.block == block_)) return;
+    if (leaf.test != Test::some_time || (RowPairs<kind, course>::kIsSelf && leaf.block == block_)) return;
     const unsigned theirs = boxes_.meet_at_some_time(search_.a.levels[1][block_ / kBlock], block_ % kBlock,
                                                      search_.b.levels[0][leaf.block]);
     if (__builtin_popcount(theirs) >= __builtin_popcount(leaf.rows)) return;

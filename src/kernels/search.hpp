@@ -38,8 +38,12 @@ class BlockSearch {
     Bounds hulls;
     boxes_.bound(search_.b, level, node, hulls);
     unsigned mask = children_that_meet(level, node, hulls), fast = 0;
-    if constexpr (Boxes::kMoves) fast = mask & boxes_.move_far(search_.b.levels[level][node], hulls, means_);
-    if (fast) mask &= ~fast | sharply(level, node);
+    if constexpr (Boxes::kMoves) {
+      const BoxBlock& children = search_.b.levels[level][node];
+      fast = mask & boxes_.move_far(children, hulls, means_);
+      if (fast)
+        mask &= ~fast | boxes_.meet_at_some_time(search_.a.levels[1][block_ / kBlock], block_ % kBlock, children);
+    }
     if (level > 1) return for_each_bit(mask, [&](int child) { visit(level - 1, node * kBlock + child); });
     if constexpr (Boxes::kHasReach) find_reaches(node, hulls);
     for_each_bit(mask, [&](int child) {
@@ -56,7 +60,7 @@ class BlockSearch {
         boxes_, [&](int k, int) { return FloatLanes(my_hull_[k]); },
         [&](int k, int first) { return hulls.lanes(k, first); });
     // Of the same tree only leaf blocks from mine on: child c covers leaf blocks below (c + 1) 16^(level-1).
-    if (rows_.kIsSelf) mask &= from_bit((block_ >> (4 * (level - 1))) - node * kBlock);
+    if constexpr (RowPairs<kind, course>::kIsSelf) mask &= from_bit((block_ >> (4 * (level - 1))) - node * kBlock);
     return search_.a.has_exclusions ? without_excluded(mask, level, node) : mask;
   }
 
@@ -67,13 +71,6 @@ class BlockSearch {
       if (are_excluded(search_.a, block_, search_.b, level - 1, node * kBlock + child)) rest &= ~(1u << child);
     });
     return rest;
-  }
-
-  unsigned sharply(int level, int node) const {
-    if constexpr (Boxes::kMoves)
-      return boxes_.meet_at_some_time(search_.a.levels[1][block_ / kBlock], block_ % kBlock,
-                                      search_.b.levels[level][node]);
-    return ~0u;
   }
 
   /// Can any reach be short? The reach between two blocks is at least half of that within mine, as any residual is at

@@ -26,9 +26,9 @@ int cull_in_parts(int parts, const MotionView& motion, const PairBuffer& in, Pai
 /// The sink of AdvanceLanes that lists pairs that touch or are undecided.
 struct SolvedSink {
   void free(std::int32_t) {}
-  void undecided(std::int32_t place) { out[count++] = {place, false, 0, 1, 0, 0, {0, 0, 0}}; }
+  void undecided(std::int32_t place) { out[count++] = {place, false, {}}; }
   void touches(std::int32_t place, const ContactLanes& contacts, int lane) {
-    out[count++] = contacts.solved(place, true, lane);
+    out[count++] = {place, true, contacts.result(lane)};
   }
 
   SolvedPair* out;

@@ -19,8 +19,9 @@ void ContactConsumer::consume(PairKind kind) {
   const int count = by_distance ? decide_within_separation(thread(), kind, found_.bound().latest())
                                 : decide_crossings(thread(), kind, thread().kernels.of(kind));
   const PairBuffer& pairs = thread().filtered;
-  decide_singly(kind, add_solved(thread(), count,
-                                 [&](int i, PairResult result) { add(kind, vertices_of(kind, pairs, i), result); }));
+  decide_singly(kind, add_solved(thread(), count, [&](int i, const PairResult& result) {
+                  add(kind, vertices_of(kind, pairs, i), result);
+                }));
 }
 
 void ContactConsumer::decide_as_list(PairKind kind) {
@@ -53,7 +54,7 @@ void ContactConsumer::leave_out_unwanted(PairKind kind) {
 }
 
 /// Adds a contact that lanes found, whose place they may have left to integers.
-void ContactConsumer::add(PairKind kind, const PairVertices& vertices, PairResult& result) {
+void ContactConsumer::add(PairKind kind, const PairVertices& vertices, PairResult result) {
   if (std::isnan(result.normal[0])) {
     if (!found_.wants(kind, vertices)) return;
     set_place(result, exact_closest_place(kind, points_of(query().step, vertices), result.toi_lower));

@@ -34,7 +34,7 @@ class ContactConsumer final : public PairStream {
   void leave_out_unwanted(PairKind kind);
   /// Decides the pairs of thread().boxes as narrow_phase() decides a list (Query::depends_on_pair_alone).
   void decide_as_list(PairKind kind);
-  void add(PairKind kind, const PairVertices& vertices, PairResult& result);
+  void add(PairKind kind, const PairVertices& vertices, PairResult result);
   /// `places`: of pairs in thread().filtered.
   void decide_singly(PairKind kind, std::span<const int> places);
 

@@ -17,7 +17,8 @@ constexpr double kSmallPart = 0x1p-8;
 /// The part of the scene's width that vertices may move in a beginning: they meet few others on so short a way.
 constexpr double kPartOfWidth = 1.0 / 16;
 
-/// Half the range of coordinates along the axis where it is widest, from half coordinates, which do not overflow.
+/// A quarter of the range of coordinates along the axis where it is widest, from half coordinates, which do not
+/// overflow.
 template <class Half>
 double widest_range(std::span<const Index> points, const Half& half_of) {
   Box box;

@@ -29,12 +29,10 @@ std::span<const int> add_solved(SearchThread& thread, int count, const Add& add)
   thread.undecided.clear();
   for (int i = 0; i < count; ++i) {
     const SolvedPair& s = thread.solved[static_cast<std::size_t>(i)];
-    if (!s.is_decided) {
+    if (s.is_decided)
+      add(s.pair, s.result);
+    else
       thread.undecided.push_back(s.pair);
-      continue;
-    }
-    const Point normal{s.normal[0], s.normal[1], s.normal[2]};
-    add(s.pair, PairResult{true, Certainty::certified, s.toi_lower, s.toi_upper, s.u, s.v, normal});
   }
   thread.counts.decided_by.lanes += static_cast<std::uint64_t>(thread.filtered.count) - thread.undecided.size();
   return thread.undecided;

@@ -62,7 +62,7 @@ Extent extent_of(const Ends& ends, std::size_t vertices) {
 /// The extent of the vertices near the finest place, if it is kNarrower times narrower than `all`; else `all`. Its half
 /// width is no less than the separation, half of which widens all boxes.
 Extent extent_of_finest(const Step& step, std::span<const Index> used, double min_separation, const Extent& all) {
-  constexpr double kNarrower = 64;  // six bits of the 17 that kLaterMargin leaves
+  constexpr double kNarrower = 64;  // six bits of the 17 that two kLaterMargins leave
   constexpr double kMost = 16;      // in an even cloud the farthest vertex is at two or three times the median
   const std::optional<FinePlace> place = place_finer_than(all.half / kNarrower, step, used);
   if (!place) return all;

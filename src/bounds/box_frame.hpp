@@ -40,7 +40,7 @@ struct BoxFrame {
   /// is off by 2^-24 of it, the box's own subtraction by as much, and on an axis with m components 1 or -1
   /// (load_box_motion) a vertex by sqrt(m) 2^-24 of the axis' length.
   static constexpr float kOutlierMargin = 0x1p-22f;
-  /// A vertex with coordinates beyond this, where floats would not hold squares, may be anywhere.
+  /// A vertex with coordinates beyond this may be anywhere. Floats hold squares up to far beyond it, 2^63.
   static constexpr double kFarthest = 0x1p40;
 
   /// Where a vertex starts, and its displacement during the step, in this frame.

@@ -52,7 +52,7 @@ struct WideDouble {
   }
 
   double value() const { return std::ldexp(mantissa, static_cast<int>(std::clamp(exponent, -5000L, 5000L))); }
-  /// A double below it by about ten roundings, or by one spacing of the smallest doubles. REQUIRES (not checked:
+  /// A double below it by 2^-46 of it, or by one spacing of the smallest doubles. REQUIRES (not checked:
   /// exact): positive.
   double rounded_down() const {
     constexpr double kError = 0x1p-46, kNormal = std::numeric_limits<double>::min();

@@ -12,9 +12,10 @@ namespace {
 /// Of a gap. A pair that would touch after less than this stays: its distance must remain far above the 1e-15 by which
 /// the end of one step's path may differ from the start of the next.
 constexpr double kLeastTravel = 1e-3;
-/// Of a gap. So does one that is known to be this near, however far it goes along: its distance would be halved in each
-/// step, until it is less than what rounding to the engine's floats moves a body by (2^-24 of how far it is from the
-/// origin: of a gap of 1e-3, this much up to 800 units away). Farther away bodies stay more often; none passes.
+/// Of a gap. So does one that is known to be this near, and touches before it has gone a gap: its distance would be
+/// halved in each step, until it is less than what rounding to the engine's floats moves a body by (2^-24 of how far it
+/// is from the origin: of a gap of 1e-3, this much up to 800 units away). Farther away bodies stay more often; none
+/// passes.
 constexpr double kLeastDistance = 0.05;
 /// Of the step: no more is needed of a time before which bodies are stopped, nor of a way that they may go.
 constexpr double kTolerance = 1e-4;
@@ -151,7 +152,8 @@ class Clamp {
     double travel = 0;
     for (const BodyId body : bodies)
       if (const auto known = travels_.find(body); known != travels_.end()) travel += known->second;
-    if (travel * time < kLeastTravel * options_.gap || starts_too_near(bodies)) return 0;
+    const double way = travel * time;
+    if (way < kLeastTravel * options_.gap || (way < options_.gap && starts_too_near(bodies))) return 0;
     return std::max(time - options_.gap / travel, time / 2);
   }
 

@@ -12,16 +12,22 @@ constexpr int kRounds = 20;
 /// pushed into what lies on it.
 constexpr btScalar kParted = 0.5F;
 
+/// The speed along `up` that an impulse of 1 along it gives to the body at `arm` from its origin.
+btScalar give_of(const btRigidBody& body, const btVector3& arm, const btVector3& up) {
+  return body.getInvMass() + (body.getInvInertiaTensorWorld() * arm.cross(up)).cross(arm).dot(up);
+}
+
 }  // namespace
 
 void Carriers::Contact::push() {
   btVector3 speed = body->getVelocityInLocalPoint(arm);
   if (other) speed -= other->getVelocityInLocalPoint(other_arm);
-  const btScalar give = body->getInvMass() + (body->getInvInertiaTensorWorld() * arm.cross(up)).cross(arm).dot(up);
+  const btScalar give = give_of(*body, arm, up) + (other_gives ? give_of(*other, other_arm, up) : 0);
   if (!(give > 0)) return;  // on an axle
   const btScalar before = impulse;
   impulse = std::max(btScalar(0), before - (speed.dot(up) + allowed) / give);
   body->applyImpulse(up * (impulse - before), arm);
+  if (other_gives) other->applyImpulse(up * (before - impulse), other_arm);
 }
 
 Carriers::Carriers(std::span<const NearContact> near, btScalar gap, btScalar seconds) : seconds_(seconds) {
@@ -52,6 +58,7 @@ void Carriers::find_levels() {
   std::ranges::stable_sort(roots, {}, give);
   for (auto root = roots.begin(); root != roots.end(); ++root) {
     if (bodies_[*root].level >= 0) continue;
+    const bool nothing_stands = give(*root) >= 0;
     std::vector<std::size_t> reached;
     const auto reach = [&](std::size_t i, int level) {
       if (bodies_[i].level >= 0) return;
@@ -64,7 +71,10 @@ void Carriers::find_levels() {
     for (std::size_t next = 0; next < reached.size(); ++next) {
       const std::size_t i = reached[next];
       if (bodies_[i].level > 0) order_.push_back(i);
-      for (const Contact& contact : bodies_[i].contacts) reach(contact.other_at, bodies_[i].level + 1);
+      for (Contact& contact : bodies_[i].contacts) {
+        contact.other_gives = nothing_stands && contact.other;
+        reach(contact.other_at, bodies_[i].level + 1);
+      }
     }
   }
 }

@@ -9,9 +9,10 @@
 namespace tamis::bullet {
 
 /// A body is carried by those near it that are fewer bodies away from what stands; where nothing stands, from the
-/// heaviest of its group. From there upwards each is pushed as if what carries it could not give way. So a pile comes
-/// to rest however high it is: a solver that shares each impulse between two bodies needs as many rounds as the square
-/// of the height, and what it has not solved would be held back at ever smaller distances.
+/// heaviest of its group. From there upwards each is pushed as if what carries it could not give way (where nothing
+/// stands it does, and their momentum stays). So a pile comes to rest however high it is: a solver that shares each
+/// impulse between two bodies needs as many rounds as the square of the height, and what it has not solved would be
+/// held back at ever smaller distances.
 class Carriers {
  public:
   Carriers(std::span<const NearContact> near, btScalar gap, btScalar seconds);
@@ -25,13 +26,14 @@ class Carriers {
  private:
   struct Contact {
     btRigidBody* body;
-    const btRigidBody* other;  ///< none: what has no speed
+    btRigidBody* other;        ///< none: what has no speed
     std::size_t other_at;      ///< among bodies_
     btVector3 arm, other_arm;  ///< from the origins
     btVector3 up;              ///< from the other to the body
     btScalar above_gap;        ///< the distance, less the gap
     btScalar allowed = 0;      ///< how fast the body may come nearer
     btScalar impulse = 0;
+    bool other_gives = false;  ///< where nothing stands
 
     void push();
   };

@@ -11,8 +11,15 @@
 namespace tamis::bullet {
 namespace {
 
+/// A body that goes less than this part of its way keeps so much of its speed: if it kept all, gravity would add to it
+/// in each step, and where the solver's contacts do not part it from what it lies on it would hang there for ever.
+constexpr double kStands = 1e-3;
+constexpr btScalar kKeptSpeed = 0.5F;
+/// In gaps: by so much more are bodies that overlap to be parted, so that they are clear of each other after it.
+constexpr btScalar kPartedFurther = 2;
+
 BodyMotion motion_at(const btCollisionObject& object, const Pose& pose) {
-  return object.isStaticObject() ? BodyMotion(Static{pose}) : adapters::resting(pose);
+  return object.isStaticObject() || !object.isActive() ? BodyMotion(Static{pose}) : adapters::resting(pose);
 }
 
 /// Motion states go back from the end of a step by what they are told of the speed: it must be that of the way that was
@@ -118,7 +125,7 @@ ClampedWorld::KnownShape ClampedWorld::known(const btCollisionShape* shape) cons
 void ClampedWorld::join(btCollisionObject* object, const KnownShape& shape) {
   const btTransform& place = object->getWorldTransform();
   const BodyId id = bodies_.add(shape.surface->mesh, motion_at(*object, pose_of(place)));
-  members_.emplace(id, Member{object, shape, place});
+  members_.emplace(id, Member{object, shape, place, object->isActive()});
 }
 
 void ClampedWorld::leave(const btCollisionObject* object) {
@@ -152,6 +159,11 @@ void ClampedWorld::put(BodyId id, Member& member) {
   const btTransform& place = member.object->getWorldTransform();
   bodies_.move(id, motion_at(*member.object, pose_of(place)));
   member.place = place;
+  member.is_active = member.object->isActive();
+}
+
+void ClampedWorld::forget_limits_of(BodyId id) {
+  std::erase_if(limits_, [&](const BodyContact& limit) { return std::ranges::count(limit.bodies, id) > 0; });
 }
 
 /// What was moved, given another shape or a changed one, or made solid from outside since the last step.
@@ -165,7 +177,9 @@ void ClampedWorld::follow() {
     const auto [now, is_new] = traits.try_emplace(shape);
     if (is_new) now->second = traits_of(*shape);
     if (shape != member.shape.shape || now->second != member.shape.traits) changed.push_back(member.object);
-    if (!(member.place == member.object->getWorldTransform())) put(id, member);
+    const bool is_elsewhere = !(member.place == member.object->getWorldTransform());
+    if (is_elsewhere) forget_limits_of(id);
+    if (is_elsewhere || member.is_active != member.object->isActive()) put(id, member);
   }
   for (int i = 0; i < getNumCollisionObjects(); ++i) {
     btCollisionObject* const object = getCollisionObjectArray()[i];
@@ -233,6 +247,22 @@ void ClampedWorld::createPredictiveContacts(btScalar seconds) {
   for_solver.start_warm();
 }
 
+/// Bullet parts bodies that overlap only until its margins touch, at no distance; from there they overlap again.
+void ClampedWorld::performDiscreteCollisionDetection() {
+  btDiscreteDynamicsWorld::performDiscreteCollisionDetection();
+  std::set<std::pair<const btCollisionObject*, const btCollisionObject*>> overlapping;
+  for (const auto& [a, b] : overlapping_)
+    overlapping.insert(std::minmax<const btCollisionObject*>(members_.at(a).object, members_.at(b).object));
+  for (int i = 0; !overlapping.empty() && i < m_dispatcher1->getNumManifolds(); ++i) {
+    btPersistentManifold& manifold = *m_dispatcher1->getManifoldByIndexInternal(i);
+    if (!overlapping.contains(std::minmax(manifold.getBody0(), manifold.getBody1()))) continue;
+    for (int k = 0; k < manifold.getNumContacts(); ++k) {
+      btManifoldPoint& point = manifold.getContactPoint(k);
+      point.setDistance(point.getDistance() - kPartedFurther * static_cast<btScalar>(options_.gap));
+    }
+  }
+}
+
 void ClampedWorld::integrateTransforms(btScalar seconds) {
   Carriers carriers(near_, static_cast<btScalar>(options_.gap), seconds);
   carriers.take_speed();
@@ -250,6 +280,10 @@ void ClampedWorld::integrateTransforms(btScalar seconds) {
     const btTransform start = member.place, end = step.place(id, clamped.fractions[i]);
     body->proceedToTransform(end);
     show_way(*body, start, end, seconds);
+    if (clamped.fractions[i] < kStands) {
+      body->setLinearVelocity(kKeptSpeed * body->getLinearVelocity());
+      body->setAngularVelocity(kKeptSpeed * body->getAngularVelocity());
+    }
     put(id, member);
     last_step_.moved.emplace_back(body, clamped.fractions[i]);
   }

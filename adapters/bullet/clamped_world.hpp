@@ -49,6 +49,7 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
 
  protected:
   void createPredictiveContacts(btScalar seconds) override;
+  void performDiscreteCollisionDetection() override;
   void integrateTransforms(btScalar seconds) override;
 
  private:
@@ -62,6 +63,7 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
     btCollisionObject* object;
     KnownShape shape;
     btTransform place;  ///< where the world of bodies has it
+    bool is_active;     ///< as the world of bodies has it: what sleeps is Static there, and costs nothing
   };
   class Way;
   class Step;
@@ -70,6 +72,8 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   void leave(const btCollisionObject* object);
   KnownShape known(const btCollisionShape* shape) const;
   void put(BodyId id, Member& member);
+  /// Forgets what held the body back in the last step: it was moved from outside.
+  void forget_limits_of(BodyId id);
   void follow();
   bool collides(const adapters::BodyPair& bodies) const;
   NearFeature feature_of(BodyId body, std::span<const Index> vertices, std::span<const double> weights,

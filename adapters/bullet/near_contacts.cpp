@@ -72,8 +72,10 @@ void SolverContacts::add(const NearContact& contact, btScalar gap, Manifolds& al
   btManifoldPoint point(first.local, second.local, contact.normal, contact.distance() - gap);
   point.m_positionWorldOnA = first.point();
   point.m_positionWorldOnB = second.point();
-  point.m_combinedFriction = btManifoldResult::calculateCombinedFriction(first.object, second.object);
-  point.m_combinedRestitution = btManifoldResult::calculateCombinedRestitution(first.object, second.object);
+  point.m_combinedFriction = gCalculateCombinedFrictionCallback(first.object, second.object);
+  point.m_combinedRestitution = gCalculateCombinedRestitutionCallback(first.object, second.object);
+  point.m_combinedRollingFriction = gCalculateCombinedRollingFrictionCallback(first.object, second.object);
+  point.m_combinedSpinningFriction = gCalculateCombinedSpinningFrictionCallback(first.object, second.object);
   if (const int known = manifold->getCacheEntry(point); known < 0)
     manifold->addManifoldPoint(point, true);
   else if (point.getDistance() < manifold->getContactPoint(known).getDistance())

@@ -187,11 +187,15 @@ std::set<BodyPair> overlapping(World& world, const WantedStep& step) {
   return pairs;
 }
 
-ClampedStep clamp(World& world, const WantedStep& step, const std::set<BodyPair>& overlapping,
-                  const ClampOptions& options) {
+void validate(const ClampOptions& options) {
   if (!(options.gap > 0) || std::isinf(options.gap))
     throw InvalidOptions("the gap is " + std::to_string(options.gap) + ": give one that is finite and above 0");
   if (options.rounds < 0) throw InvalidOptions("rounds is " + std::to_string(options.rounds) + ": give a number >= 0");
+}
+
+ClampedStep clamp(World& world, const WantedStep& step, const std::set<BodyPair>& overlapping,
+                  const ClampOptions& options) {
+  validate(options);
   return Clamp(world, step, overlapping, options).run();
 }
 

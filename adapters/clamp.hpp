@@ -55,6 +55,9 @@ struct ClampOptions {
   int rounds = 8;
 };
 
+/// Throws InvalidOptions where an option is out of its range.
+void validate(const ClampOptions& options);
+
 struct ClampedStep {
   /// One a body of moving(): which part of its way it may go, in [0, 1].
   std::vector<double> fractions;

@@ -107,10 +107,16 @@ ClampedWorld::ClampedWorld(btDispatcher* dispatcher, btBroadphaseInterface* broa
                            btCollisionConfiguration* configuration, adapters::ClampOptions options, int threads)
     : btDiscreteDynamicsWorld(dispatcher, broadphase, solver, configuration),
       options_(options),
-      bodies_(Options{.threads = threads}) {}
+      bodies_(Options{.threads = threads}) {
+  adapters::validate(options);
+}
 
 void ClampedWorld::set_mesh(const btCollisionShape& shape, const Shape& mesh) {
   given_.insert_or_assign(&shape, KnownShape{&shape, traits_of(shape), std::make_shared<const Surface>(mesh)});
+  std::vector<btCollisionObject*> with_shape;
+  for (const auto& [id, member] : members_)
+    if (member.shape.shape == &shape) with_shape.push_back(member.object);
+  for (btCollisionObject* const object : with_shape) take_anew(object, known(&shape));
 }
 
 ClampedWorld::KnownShape ClampedWorld::known(const btCollisionShape* shape) const {
@@ -133,6 +139,11 @@ void ClampedWorld::leave(const btCollisionObject* object) {
   if (found == members_.end()) return;
   bodies_.remove(found->first);
   members_.erase(found);
+}
+
+void ClampedWorld::take_anew(btCollisionObject* object, const KnownShape& shape) {
+  leave(object);
+  join(object, shape);
 }
 
 void ClampedWorld::addCollisionObject(btCollisionObject* object, int group, int mask) {
@@ -185,11 +196,8 @@ void ClampedWorld::follow() {
     btCollisionObject* const object = getCollisionObjectArray()[i];
     if (object->hasContactResponse() && !followed.contains(object)) join(object, known(object->getCollisionShape()));
   }
-  for (btCollisionObject* const object : changed) {
-    const KnownShape shape = known(object->getCollisionShape());  // who is refused stays as it was: no step goes on
-    leave(object);
-    join(object, shape);
-  }
+  for (btCollisionObject* const object : changed)
+    take_anew(object, known(object->getCollisionShape()));  // who is refused stays as it was: no step goes on
 }
 
 bool ClampedWorld::collides(const adapters::BodyPair& bodies) const {

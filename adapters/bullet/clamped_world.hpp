@@ -29,8 +29,8 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   ClampedWorld(btDispatcher* dispatcher, btBroadphaseInterface* broadphase, btConstraintSolver* solver,
                btCollisionConfiguration* configuration, adapters::ClampOptions options = {}, int threads = 1);
 
-  /// The mesh of a shape that has none of its own, or another than its own. Before bodies with it are added, and again
-  /// where the shape is changed (`traits_of`).
+  /// The mesh of a shape that has none of its own, or another than its own: for bodies that have it, and that are added
+  /// with it. Again where the shape is changed (`traits_of`).
   void set_mesh(const btCollisionShape& shape, const Shape& mesh);
 
   /// Throw InvalidMesh where a shape has no mesh; the object is not added then.
@@ -70,6 +70,8 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
 
   void join(btCollisionObject* object, const KnownShape& shape);
   void leave(const btCollisionObject* object);
+  /// With another mesh.
+  void take_anew(btCollisionObject* object, const KnownShape& shape);
   KnownShape known(const btCollisionShape* shape) const;
   void put(BodyId id, Member& member);
   /// Forgets what held the body back in the last step: it was moved from outside.

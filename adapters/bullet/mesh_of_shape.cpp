@@ -24,7 +24,7 @@ class Gathered : public btTriangleCallback {
     else
       throw InvalidMesh(std::string("the Bullet shape ") + shape.getName() +
                         " has no triangles of its own: give a mesh for it with ClampedWorld::set_mesh, before the body "
-                        "is added");
+                        "is added; where it is part of a compound, one for the whole compound");
   }
 
   void processTriangle(btVector3* triangle, int, int) override {

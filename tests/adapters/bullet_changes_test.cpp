@@ -73,6 +73,27 @@ TEST(ClampedWorld, TellsShapesApartThatWereMadeAtOneAddress) {
   }
 }
 
+/// Bug: a mesh that was given after the body had been added counted for nothing.
+TEST(ClampedWorld, TakesAMeshThatIsGivenForABodyThatIsThere) {
+  btBoxShape wall({0.1F, 5, 5}), box({0.1F, 0.1F, 0.1F});
+  Simulation simulation;
+  simulation.world.setGravity({0, 0, 0});
+  simulation.add(wall, 0, {2, 0, 0});
+  btRigidBody& body = simulation.add(box, 1, {0, 0, 0});
+  simulation.world.set_mesh(box, mesh_of(btBoxShape({1, 0.1F, 0.1F})));
+  body.setLinearVelocity({60, 0, 0});
+  simulation.run(2);
+  EXPECT_NEAR(body.getWorldTransform().getOrigin().x(), 0.9, 0.01);
+}
+
+TEST(ClampedWorld, RefusesAGapThatIsNone) {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  EXPECT_THROW(ClampedWorld(&dispatcher, &broadphase, &solver, &configuration, {.gap = -1}), InvalidOptions);
+}
+
 TEST(ClampedWorld, KeepsAGivenMeshWhereOnlyTheMarginChanges) {
   btBoxShape grain({kSmall, kSmall, kSmall});
   const auto give = [&](Simulation& simulation, btRigidBody& fixed) {

@@ -121,6 +121,17 @@ TEST(Clamp, LetsStandWhoIsKnownToBeTooNear) {
   EXPECT_EQ(clamp(world, step, {}, {.gap = 0.01}).fractions[0], 0);
 }
 
+/// Bug: it stood, step after step, while gravity added to the speed with which it wanted to go on.
+TEST(Clamp, LetsGoWhoIsTooNearAndMeetsLate) {
+  World world;
+  const BodyId floor = world.add(plate(), Static{});
+  Table step;
+  const Pose start = at_height(4e-4), end{{0.5, 0, -1e-3}, {}};
+  step.add(world.add(plate(), Static{start}), start, end);
+  step.near = {{{floor, step.moving()[0]}, 4e-4, {0, 0}}};
+  EXPECT_GT(clamp(world, step, {}, {.gap = 0.01}).fractions[0], 0.1);
+}
+
 TEST(Clamp, NeverHoldsBackWhoOverlapsOnAccountOfEachOther) {
   World world;
   const Pose upright{{0, 0, 0}, {1.5, 0, 0}}, gone{{0, 0, 3}, {1.5, 0, 0}};

@@ -31,10 +31,10 @@ def box(half: Doubles) -> Shape:
     return Shape(corners, _triangles([t for a, b, c, d in sides for t in ((a, b, c), (a, c, d))]))
 
 
-def square(half: float) -> Shape:
-    """Two triangles in the plane z = 0."""
-    points = half * np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], float)
-    return Shape(points, _triangles([(0, 1, 2), (0, 2, 3)]))
+def around_square(half: float) -> Shape:
+    """One triangle in the plane z = 0 around a square: no edge in it, on which what rests there could lie exactly."""
+    points = half * np.array([[-4, -2, 0], [4, -2, 0], [0, 6, 0]], float)
+    return Shape(points, _triangles([(0, 1, 2)]))
 
 
 def cylinder(radius: float, half_length: float, tolerance: float) -> Shape:

@@ -24,6 +24,8 @@ from tamis.mujoco._watch import Watch
 
 # Of the size of the scene: how far positions that MuJoCo computes may be from those that the chains of joints give.
 _SEAM = 1e-10
+# Of the largest coordinate of a joint, and 1: how far positions may be from where velocities take them in a step.
+_STEP_SEAM = 1e-9
 
 
 class Referee:
@@ -39,7 +41,7 @@ class Referee:
     Surfaces are those that MuJoCo collides: flexes (triangles, the shell of solids, edges of ropes) and geoms with a
     bit for contacts. Meshes are taken as their own triangles, whose hull MuJoCo collides. Spheres, capsules, cylinders
     and ellipsoids become triangles around them, at most `tolerance` farther out: who comes from outside and does not
-    touch these does not touch the true surface. A plane is a square.
+    touch these does not touch the true surface. A plane is a triangle around a square.
 
     Between two states the motion is MuJoCo's own: each joint at the constant velocity that takes one to the other, each
     body carried by its parents on its curve; vertices of flexes go straight, in the frame of what carries them; mocap
@@ -59,7 +61,7 @@ class Referee:
         > 0, in the model's unit of length: how far outside a curved surface its triangles may be. Less than the radius
         of a flex, so that one that rests on the surface does not touch the triangles.
     plane_reach : float, optional
-        > 0: half the side of the square that stands for a plane; by default ten times the model's extent.
+        > 0: half the side of the square of a plane that may be reached; by default ten times the model's extent.
     threads : int
         To use; 0: all. Speed only.
 
@@ -139,11 +141,12 @@ class Referee:
         ------
         InvalidStep
             The simulation has gone on by more or less than one step, or a body has turned too far in one; or positions
-            are not where joints at constant velocity take them. Call `restart` where that was meant. What collides was
+            are not where the velocities take them, as where they were set by hand. Call `restart` where that was meant. What collides was
             changed in the model: make another referee.
         """
         start, span = self._places.points, (self._places.now.time, self._data.time)
         self._require_one_step(*span)
+        self._require_integrated()
         self._look()
         found = self._pins.without(self.detector._contacts_of(self._motion(start), self._asking))
         report = self._report
@@ -207,6 +210,23 @@ class Referee:
             raise InvalidStep(
                 f"{name} turns by more than half a turn in one step, and the states at both ends do not show which "
                 "way: take a shorter timestep"
+            )
+
+
+    def _require_integrated(self) -> None:
+        """Positions are where the velocities of this step take them; with RK4 they show no such thing."""
+        before, data, step = self._places.now.qpos, self._data, self._model.opt.timestep
+        if self._model.opt.integrator == mujoco.mjtIntegrator.mjINT_RK4:
+            return
+        velocities = np.empty(self._model.nv)
+        mujoco.mj_differentiatePos(self._model, velocities, step, before, data.qpos)
+        gaps = np.abs(velocities - data.qvel) * step
+        if gaps.max(initial=0) > _STEP_SEAM * (1 + np.abs(data.qpos).max(initial=0)):
+            body = int(self._model.dof_bodyid[gaps.argmax()])
+            name = name_of(self._model, mujoco.mjtObj.mjOBJ_BODY, body)
+            raise InvalidStep(
+                f"{name} is {gaps.max():.3g} from where its velocity takes it in this step: call check() right after "
+                "mj_step, and restart() where positions were set by hand"
             )
 
 

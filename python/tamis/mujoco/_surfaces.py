@@ -13,7 +13,7 @@ import numpy.typing as npt
 from tamis._arrays import Doubles, Indices
 from tamis._errors import InvalidMesh
 from tamis._mesh import Mesh
-from tamis.mujoco._primitives import Shape, box, capsule, cylinder, ellipsoid, square
+from tamis.mujoco._primitives import Shape, around_square, box, capsule, cylinder, ellipsoid
 
 _NO_EDGES = np.empty((0, 2), np.int32)
 _NO_FACES = np.empty((0, 3), np.int32)
@@ -122,7 +122,7 @@ def _shape(model: Any, geom: int, tolerance: float, plane_reach: float) -> Shape
     if kind == types.mjGEOM_BOX:
         return box(size)
     if kind == types.mjGEOM_PLANE:
-        return square(plane_reach)
+        return around_square(plane_reach)
     if kind == types.mjGEOM_SPHERE:
         return capsule(size[0], 0.0, tolerance)
     if kind == types.mjGEOM_CAPSULE:
@@ -177,7 +177,9 @@ def _may_touch(model: Any, a: Surface, b: Surface, excluded: set[int], listed: s
 
 
 def _bodies_may_touch(model: Any, a: int, b: int, excluded: set[int]) -> bool:
-    """Not within one rigid body, nor from a body to its parent unless that is the world."""
+    """Not within one rigid body, nor from a body to its parent unless that is the world; one must have a joint."""
+    if not (_is_carried_by_joints(model, a) or _is_carried_by_joints(model, b)):
+        return False
     weld_a, weld_b = int(model.body_weldid[a]), int(model.body_weldid[b])
     if weld_a == weld_b or (a << 16) + b in excluded or (b << 16) + a in excluded:
         return False
@@ -185,6 +187,13 @@ def _bodies_may_touch(model: Any, a: int, b: int, excluded: set[int]) -> bool:
         return True
     parent_a, parent_b = (int(model.body_weldid[model.body_parentid[weld]]) for weld in (weld_a, weld_b))
     return not ((weld_a == parent_b and weld_a != 0) or (weld_b == parent_a and weld_b != 0))
+
+
+def _is_carried_by_joints(model: Any, body: int) -> bool:
+    """Has the body, or one that it hangs on, a joint? What stands and mocap bodies have none."""
+    while body and not model.body_dofnum[body]:
+        body = int(model.body_parentid[body])
+    return body != 0
 
 
 def _bits(model: Any, part: Surface) -> tuple[int, int]:

@@ -236,6 +236,51 @@ def test_what_is_no_single_step_is_refused() -> None:
     assert referee.check().is_free
 
 
+RESTING = """
+<mujoco>
+  <worldbody>
+    <geom name="floor" type="plane" size="5 5 .1"/>
+    <geom name="wall" type="box" size=".1 1 1" pos="1 0 1"/>
+    <body name="free" pos="0 0 .11"><freejoint/><geom name="box" type="box" size=".1 .1 .1"/></body>
+    <body name="hand" mocap="true" pos="2 0 1"><geom name="hand" type="box" size=".1 .1 .1"/></body>
+  </worldbody>
+</mujoco>"""
+
+
+def test_positions_set_by_hand_are_refused() -> None:
+    """Bug: a free body that was put behind a wall counted as one that had gone through it in one step."""
+    model, data = loaded(RESTING)
+    referee = tamis.mujoco.Referee(model, data)
+    mujoco.mj_step(model, data)
+    data.qpos[0] += 3
+    with pytest.raises(tamis.InvalidStep, match=r"free is 3 from where its velocity takes it .* call check\(\) right after"):
+        referee.check()
+    referee.restart()
+    mujoco.mj_step(model, data)
+    referee.check()
+
+
+def test_what_rests_on_a_plane_touches_it_once() -> None:
+    """Bug: the edges of a box that stood at the plane's origin lay on a diagonal of it, and touched it in each step."""
+    xml = """<mujoco><option><flag sleep='enable'/></option><worldbody><geom type='plane' size='5 5 .1'/>
+      <body pos='0 0 .12'><freejoint/><geom type='box' size='.1 .1 .1'/></body></worldbody></mujoco>"""
+    model, data = loaded(xml)
+    referee = tamis.mujoco.Referee(model, data)
+    for _ in range(400):
+        mujoco.mj_step(model, data)
+        referee.check()
+    assert len(referee.report.bad_steps) == 1
+
+
+def test_what_no_joint_carries_passes_what_stands_as_in_mujoco() -> None:
+    model, data = loaded(RESTING)
+    referee = tamis.mujoco.Referee(model, data)
+    mujoco.mj_step(model, data)
+    data.mocap_pos[0, 0] = 0
+    assert referee.check().is_free
+    assert data.ncon == 0
+
+
 def test_a_body_that_spins_too_fast_is_refused() -> None:
     model, data = loaded(ARM)
     referee = tamis.mujoco.Referee(model, data)

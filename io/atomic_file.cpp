@@ -26,7 +26,8 @@ bool is_stream(const fs::path& path) {
   return fs::is_other(path, error) && !error;
 }
 
-/// A link of /proc/PID/fd, where /dev/stdout and /dev/fd/3 lead. Its text says what is open; that need not have a name.
+/// A link in /proc/PID/fd, to which /dev/stdout and /dev/fd/3 lead. Its text describes the open file, which need not
+/// have a name.
 bool is_descriptor(const fs::path& name) {
   std::error_code error;
   const fs::path folder = fs::canonical(name.parent_path(), error);
@@ -35,7 +36,7 @@ bool is_descriptor(const fs::path& name) {
 
 bool is_written_directly(const fs::path& target) { return is_stream(target) || is_descriptor(target); }
 
-/// The name at the end of all links, or a descriptor's; nothing need be there.
+/// The name at the end of all symbolic links, or the link of a descriptor. No file need have that name.
 fs::path behind_links(const fs::path& path) {
   constexpr int kMostLinks = 40;  // as Linux has it
   fs::path name = path;
@@ -48,8 +49,8 @@ fs::path behind_links(const fs::path& path) {
   refuse_to_write(path, ELOOP);
 }
 
-/// Owner, group and mode of the file that is replaced. Where the owner or group cannot be kept, nobody else may do
-/// with the new file what they could not with the old one.
+/// Gives the new file the owner, group and mode of the file that it replaces. If the owner or group cannot be kept,
+/// only the owner gets permissions: nobody may do with the new file what they could not do with the old one.
 void take_over(const struct stat& old, int descriptor) {
   constexpr mode_t kPermissions = 0777, kOfOwner = 0700;
   struct stat made {};
@@ -68,7 +69,7 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(path), target_(behind_links
   if (fs::is_directory(target_, error)) refuse_to_write(path, EISDIR);
   try {
     if (is_written_directly(target_))
-      file_.reset(std::fopen(target_.c_str(), "ab"));  // of a descriptor's file: what is there stays
+      file_.reset(std::fopen(target_.c_str(), "ab"));  // appends: a descriptor's file keeps its content
     else
       open_unfinished();
   } catch (const std::system_error& failure) {
@@ -80,7 +81,7 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(path), target_(behind_links
 void AtomicFile::open_unfinished() {
   struct stat old {};
   const bool replaces = stat(target_.c_str(), &old) == 0;
-  // Renaming would get past a file's own write protection.
+  // A rename would succeed in spite of the old file's write protection.
   if (replaces && access(target_.c_str(), W_OK) != 0) refuse_to_write(path_, errno);
   constexpr mode_t kUsual = 0666, kPrivate = 0600;
   unfinished_.emplace(target_.has_parent_path() ? target_.parent_path() : ".", replaces ? kPrivate : kUsual);
@@ -97,7 +98,7 @@ void AtomicFile::append(std::string_view bytes) {
 
 void AtomicFile::commit() {
   if (error_ == 0 && std::fflush(file_.get()) != 0) error_ = errno;
-  // A name that leads to data which a power cut loses would be half a file after all.
+  // Otherwise a power cut could lose the data but keep the new name: half a file after all.
   if (error_ == 0 && unfinished_ && fsync(fileno(file_.get())) != 0) error_ = errno;
   if (std::fclose(file_.release()) != 0 && error_ == 0) error_ = errno;
   if (error_ != 0) refuse_to_write(path_, error_);

@@ -10,10 +10,10 @@
 
 namespace tamis::io {
 
-/// Writes beside the final place under a temporary name; `commit` renames it. Without `commit` the file that was there
-/// stays as it was. The new file has the permissions of the one it replaces, and its owner as far as the system lets
-/// it; symbolic links are followed, also to a place where nothing is yet. A pipe or device is written directly;
-/// so is what a descriptor (/dev/stdout, /dev/fd/3) has open, at its end.
+/// Writes under a temporary name in the folder of the final file; `commit` renames it. Without `commit` the old file
+/// stays as it was. The new file has the permissions of the one it replaces, and its owner as far as the system allows.
+/// Symbolic links are followed, also to a name that no file has yet. A pipe or device is written directly; so is the
+/// open file of a descriptor (/dev/stdout, /dev/fd/3), at its end.
 class AtomicFile {
  public:
   /// Throws FileError if the file cannot be made or replaced.
@@ -32,13 +32,13 @@ class AtomicFile {
   void open_unfinished();
 
   std::filesystem::path path_;    ///< as the user named it
-  std::filesystem::path target_;  ///< what is replaced: behind all symbolic links
+  std::filesystem::path target_;  ///< the file that is replaced, at the end of all symbolic links
   std::optional<UnfinishedFile> unfinished_;
   std::unique_ptr<std::FILE, Close> file_;
-  int error_ = 0;  ///< the first
+  int error_ = 0;  ///< errno of the first failure; 0: none
 };
 
-/// Throws FileError if the file could not be written; nothing stays behind. For asking before a long computation.
+/// Throws FileError if the file cannot be written; leaves no file behind. For a check before a long computation.
 void require_writable(const std::filesystem::path& path);
 
 /// Makes a folder for output, with those above it; it may be there already. Throws FileError if that fails.

@@ -1,4 +1,4 @@
-// What the file readers and writers throw.
+// The exception that file readers and writers throw.
 #pragma once
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// What a file's name ends in.
+// The extension of a file's name.
 #pragma once
 #include <cctype>
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 namespace tamis::io {
 
-/// Of the name, from its last dot on, in small letters: ".ply"; empty if it has none.
+/// The extension with its dot, in small letters: ".ply"; empty if the name has none.
 inline std::string extension_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

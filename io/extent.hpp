@@ -7,10 +7,10 @@
 
 namespace tamis::io {
 
-/// The box around what is used of a mesh, at both ends.
+/// The box around the vertices that a mesh uses, at both ends of the step.
 struct Extent {
   Point middle{};
-  double half = 0;  ///< of its longest side
+  double half = 0;  ///< half the longest side
 };
 
 Extent extent_of(const Mesh& mesh, std::span<const Point> start, std::span<const Point> end);

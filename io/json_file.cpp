@@ -11,8 +11,9 @@ namespace {
 
 constexpr std::size_t kDeepest = 64;
 
-/// Reads ahead of the parser, and refuses what that takes without a word: the last of several values of one key, and
-/// any depth. (A callback of the parser takes time that grows with the square of the number of objects.)
+/// Reads the text before the parser and refuses two things that the parser accepts silently: a key twice in one object
+/// (the last value would win), and nesting of any depth. (A callback of the parser takes time that grows with the
+/// square of the number of objects.)
 class Strict final : public nlohmann::json_sax<KeyedJson> {
  public:
   explicit Strict(const std::string& name) : name_(name) {}
@@ -33,7 +34,7 @@ class Strict final : public nlohmann::json_sax<KeyedJson> {
       throw FileError(name_, "", fmt::format("the key {} stands twice in one object: remove one", in_quotes(key)));
     return true;
   }
-  /// The parser says it.
+  /// Silent: the parser meets the same error and throws it.
   bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
 
  private:
@@ -52,7 +53,7 @@ class Strict final : public nlohmann::json_sax<KeyedJson> {
   std::vector<std::set<std::string>> keys_;  ///< of each object or array that is open
 };
 
-/// Where the byte is; counted from 1.
+/// The line that holds the byte, counted from 1.
 std::string line_of(std::string_view bytes, std::size_t byte) {
   const std::string_view before = bytes.substr(0, std::min(byte, bytes.size()));
   return fmt::format("line {}", 1 + std::count(before.begin(), before.end(), '\n'));

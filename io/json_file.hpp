@@ -1,4 +1,4 @@
-// A JSON file, by hand or by program: what is wrong in it is said with its place.
+// A JSON file, written by hand or by a program; messages name the place of an error.
 #pragma once
 #include <initializer_list>
 #include <nlohmann/json.hpp>
@@ -12,12 +12,11 @@
 
 namespace tamis::io {
 
-/// Without the order of its keys (io/output/json.hpp), so that many of them cost no more than their number times its
-/// logarithm.
+/// Sorts its keys instead of keeping their order (io/output/json.hpp): n keys cost n log n.
 using KeyedJson = nlohmann::json;
 
-/// A value and where it stands, as "bodies[2].pose". Valid as long as the JsonFile. What is asked of it throws
-/// FileError where the value is something else.
+/// A value and its place in the file, as "bodies[2].pose". Valid as long as the JsonFile. All functions but is_text,
+/// has and find throw FileError if the value is of another type.
 class JsonValue {
  public:
   JsonValue(const KeyedJson& json, const std::string& file, std::string place)
@@ -27,18 +26,18 @@ class JsonValue {
   bool has(const char* key) const { return find(key).has_value(); }
   std::optional<JsonValue> find(const std::string& key) const;
   JsonValue member(const std::string& key) const;
-  /// Of an object, in the order of their names.
+  /// The keys of an object, sorted.
   std::vector<std::string> keys() const;
-  /// Of an array. `what` it should be, in words: "a list of bodies".
+  /// The elements of an array. `what` the array should be, for messages: "a list of bodies".
   std::vector<JsonValue> items(const char* what) const;
 
   std::string text() const;
   Index index() const;
   Point point() const;
-  /// So many numbers; `what` they are, in words: "x, y and z".
+  /// An array of `count` numbers. `what` they mean, for messages: "x, y and z".
   std::vector<double> numbers(std::size_t count, const char* what) const;
 
-  /// Refuses every other key: one that is spelled wrongly would change the answer without a word.
+  /// Refuses every other key: a misspelled key would otherwise change the answer silently.
   void allow_only(std::initializer_list<std::string_view> keys) const;
   [[noreturn]] void fail(std::string_view what) const;
 
@@ -52,8 +51,8 @@ class JsonValue {
 
 class JsonFile {
  public:
-  /// `name`: for messages. Throws FileError: no JSON, a key twice in one object, arrays and objects nested deeper than
-  /// 64 levels.
+  /// `name`: for messages. Throws FileError if the text is no JSON, has a key twice in one object, or nests arrays and
+  /// objects deeper than 64 levels.
   JsonFile(std::string_view bytes, std::string name);
   JsonFile(const JsonFile&) = delete;
   JsonFile& operator=(const JsonFile&) = delete;

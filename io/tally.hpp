@@ -15,7 +15,7 @@ struct Tally {
   std::uint64_t ee = 0;
   std::uint64_t ve = 0;
   std::uint64_t vv = 0;
-  std::uint64_t unresolved = 0;  ///< of these, on curves
+  std::uint64_t unresolved = 0;  ///< among the above; only on curves
   double toi_lower = 1;
   double toi_upper = 1;
 

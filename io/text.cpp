@@ -7,7 +7,8 @@
 namespace tamis::io {
 namespace {
 
-/// As the language has it, whatever a program around it has set: strtod() of many countries ends at the point.
+/// strtod() in the "C" locale, whatever locale the program has set: in those of many countries strtod() stops at the
+/// decimal point.
 double plain_number(const std::string& word) {
   static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);
   return strtod_l(word.c_str(), nullptr, plain);
@@ -20,7 +21,7 @@ std::optional<double> to_double(std::string_view word) {
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size() || error == std::errc::invalid_argument) return std::nullopt;
-  // from_chars leaves the value alone beyond the range; strtod says which end of it was passed.
+  // Out of range, from_chars leaves the value unchanged; strtod tells overflow from underflow.
   if (error == std::errc::result_out_of_range) value = plain_number(std::string(word));
   return value;
 }

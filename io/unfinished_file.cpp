@@ -18,7 +18,8 @@
 
 namespace tamis::io {
 
-/// A place in a list that a signal handler can read: places are used again and never freed, for it may be there.
+/// An entry of a list that a signal handler reads. Entries are reused and never freed, as the handler may be reading
+/// them.
 struct UnfinishedName {
   enum State : int { unused, claimed, removable };
   std::atomic<int> state{unused};
@@ -32,9 +33,9 @@ constexpr std::array kEndings{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGALRM
 
 std::atomic<UnfinishedName*> names{nullptr};
 std::atomic<bool> is_ending{false};
-std::atomic<int> makers{0};  ///< threads between making a file and its being removable
+std::atomic<int> makers{0};  ///< threads that make a file that is not yet removable
 
-/// While it lives, a handler in this thread is put off, and one in another thread waits for its end.
+/// While it lives, signals are blocked in this thread, and a handler in another thread waits for its end.
 class Making {
  public:
   Making() {
@@ -72,7 +73,7 @@ UnfinishedName* claim_name() {
   return name;
 }
 
-/// Random, not the process's number, which comes again; short, whatever the final name is.
+/// Random, as process numbers recur; short, whatever the length of the final name.
 std::string random_name() {
   std::random_device random;
   return fmt::format(".tamis-{:08x}{:08x}.part", random(), random());

@@ -18,9 +18,9 @@ class UnfinishedFile {
   UnfinishedFile(const UnfinishedFile&) = delete;
   UnfinishedFile& operator=(const UnfinishedFile&) = delete;
 
-  /// Whoever uses it closes it.
+  /// The caller closes it.
   int descriptor() const { return descriptor_; }
-  /// Replaces what stood under the name `path`. Throws std::system_error.
+  /// Gives the file its final name, and replaces the file that had it. Throws std::system_error.
   void rename_to(const std::filesystem::path& path);
 
  private:
@@ -28,9 +28,9 @@ class UnfinishedFile {
   int descriptor_ = -1;
 };
 
-/// From now on SIGINT, SIGTERM, SIGHUP and the like remove the unfinished files before they end the process. For a
-/// program, at its start. Signals that are ignored (nohup) stay so; a file that grows too large (RLIMIT_FSIZE) becomes
-/// an error of writing instead of a signal.
+/// From now on SIGINT, SIGTERM, SIGHUP and the like remove the unfinished files before they end the process. A program
+/// calls this at its start. Signals that are ignored (nohup) stay so; a file that grows too large (RLIMIT_FSIZE)
+/// becomes an error of writing instead of a signal.
 void remove_unfinished_files_on_signals();
 
 }  // namespace tamis::io

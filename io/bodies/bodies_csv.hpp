@@ -23,7 +23,8 @@ class BodiesCsv {
   CsvTable table_;
 };
 
-/// Of one step, by the bodies' numbers: columns b0,b1, then the same. Atomically. Throws FileError.
+/// The contacts of one step: columns b0,b1 (the bodies' numbers), then those of write_contacts_csv. Atomically. Throws
+/// FileError.
 void write_body_contacts_csv(const std::filesystem::path& path, std::span<const BodyContact> contacts);
 
 }  // namespace tamis::io

@@ -12,7 +12,7 @@ namespace {
 
 using Body = BodiesFile::Body;
 
-/// What `ask` finds wrong, said of the place in the file that led there.
+/// Returns ask(). An Error that it throws becomes a FileError that names `place`.
 template <class Ask>
 auto said_of(const JsonValue& place, const Ask& ask) {
   try {
@@ -114,7 +114,7 @@ class Parser {
     count_frames(*poses, body.poses.size());
   }
 
-  /// All bodies that move have as many.
+  /// All bodies that move must have the same number of frames.
   void count_frames(const JsonValue& place, std::size_t count) {
     if (count < 2) place.fail(fmt::format("has {}: a body that moves has two or more, one a frame", count));
     if (file_.frame_count == 0) file_.frame_count = count;
@@ -131,7 +131,7 @@ class Parser {
     return paths;
   }
 
-  /// A name among "meshes"; else of a file. Each is read once.
+  /// The place of a mesh by its name: a key of "meshes", otherwise a file. Each mesh is read once.
   std::size_t mesh_place(const JsonValue& json) {
     const std::string name = json.text();
     const auto [known, is_new] = mesh_places_.emplace(name, file_.meshes.size());

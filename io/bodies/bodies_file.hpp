@@ -1,4 +1,4 @@
-// Bodies and how they move, frame by frame, as a file tells it (docs/files-and-command.md, "Files of bodies").
+// Bodies and their motion, frame by frame, read from a file (docs/files-and-command.md, "Files of bodies").
 #pragma once
 #include <array>
 #include <cstddef>
@@ -20,14 +20,14 @@ struct BodiesFile {
     static constexpr std::size_t kNoMesh = static_cast<std::size_t>(-1);
 
     std::string name;
-    std::size_t mesh = kNoMesh;       ///< among `meshes`; of a deforming body none
+    std::size_t mesh = kNoMesh;       ///< its place among `meshes`; kNoMesh if the body deforms
     std::vector<Pose> poses;          ///< one: it stays; one a frame: it moves as a whole; none: it deforms
     bool turns_linearly = false;      ///< rotation vectors are linear in time; else the shorter turn
     std::vector<std::string> frames;  ///< paths of mesh files of a deforming body, one a frame
     bool moves() const { return poses.size() != 1; }
   };
 
-  std::vector<NamedMesh> meshes;  ///< each that a body has, once
+  std::vector<NamedMesh> meshes;  ///< every mesh of a body, once
   std::vector<Body> bodies;
   std::vector<std::array<std::size_t, 2>> may_not_touch;  ///< places among `bodies`
   std::size_t frame_count = 0;                            ///< >= 2

@@ -26,7 +26,7 @@ std::string_view without_leading_zeros(std::string_view digits) {
   return digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
 }
 
-/// Negative, zero or positive; numbers of any length.
+/// Negative, zero or positive, as `a` comes before, with or after `b`. Numbers may have any length.
 int compare_parts(std::string_view a, std::string_view b) {
   if (!is_digit(a[0]) || !is_digit(b[0])) return a.compare(b);
   a = without_leading_zeros(a);

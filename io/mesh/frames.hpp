@@ -1,4 +1,4 @@
-// The frames of an animation, from what a user names on a command line.
+// The files of an animation's frames, from the names that a user gives on a command line.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -17,8 +17,8 @@ std::vector<std::filesystem::path> frame_files(const std::vector<std::string>& n
 /// The frames of a motion: as frame_files, but two files stay in the order in which they are given.
 std::vector<std::filesystem::path> moving_files(const std::vector<std::string>& names);
 
-/// The path of this name, or if there is none, those the name stands for as a glob pattern, unordered. Throws FileError
-/// if there is none either.
+/// The path `name` if it exists, otherwise all paths that match it as a glob pattern, unordered. Throws FileError if no
+/// path matches.
 std::vector<std::filesystem::path> paths_named(const std::string& name);
 
 }  // namespace tamis::io

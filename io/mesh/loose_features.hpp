@@ -1,4 +1,4 @@
-// What of a mesh is drawn beside its triangles.
+// The features of a mesh that are drawn besides its triangles.
 #pragma once
 #include <vector>
 

@@ -25,7 +25,7 @@ MeshFile read_mesh(const std::filesystem::path& path);
 /// Does the name end as those of PLY and OBJ files do?
 bool is_mesh_name(const std::filesystem::path& path);
 
-/// A text whose last line has no end may have been cut inside its last number, which nothing else can show.
+/// Notes a last line without a line end: the text may have been cut inside its last number, and nothing else shows it.
 void note_open_end(std::string_view text, MeshFile& mesh);
 
 /// The topology of the file.

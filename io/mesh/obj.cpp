@@ -32,7 +32,7 @@ bool has_comment(std::string_view line) {
   return false;
 }
 
-/// Not where a comment ends it, as with the name of a folder.
+/// Does the next line continue this one? Not if the backslash ends a comment, as in the name of a folder.
 bool goes_on(std::string_view line) { return line.ends_with('\\') && !has_comment(line); }
 
 class ObjParser {

@@ -19,7 +19,7 @@ int place_of(ElementKind element, const PlyProperty& p) {
   return kSkipped;
 }
 
-/// The properties without which an element means nothing.
+/// Throws FileError unless the element has, exactly once, each property without which it means nothing.
 void require_places(const PlyElement& element, const std::vector<int>& places, const std::string& name) {
   const auto require = [&](int place, const std::string& what) {
     const auto n = std::count(places.begin(), places.end(), place);
@@ -42,7 +42,7 @@ ElementKind kind_of(const PlyElement& element) {
   if (element.name == "vertex") return ElementKind::vertex;
   if (element.name == "face") return ElementKind::face;
   if (element.name == "edge") return ElementKind::edge;
-  // Others call something else a point.
+  // Other programs may call something else a point.
   const auto is_vertex = [](const PlyProperty& p) { return !p.is_list && p.name == "vertex"; };
   if (element.name == "point" && std::any_of(element.properties.begin(), element.properties.end(), is_vertex))
     return ElementKind::point;

@@ -16,8 +16,8 @@ ElementKind kind_of(const PlyElement& element);
 inline constexpr int kSkipped = -1;
 inline constexpr int kCorners = 3;
 
-/// One place a property. Throws FileError if a property without which the element means nothing is absent or stands
-/// twice.
+/// The place of each property. Throws FileError if a property without which the element means nothing is absent or
+/// stands twice.
 std::vector<int> places_of(const PlyElement& element, const std::string& name);
 
 }  // namespace tamis::io

@@ -39,7 +39,7 @@ class BodyReader {
 
   void read_element(const PlyElement& element) {
     places_ = places_of(element, name_);
-    // Before any memory is taken: a count that the file cannot hold is a lie.
+    // Before memory is reserved: refuses a count of rows that the rest of the file cannot hold.
     const std::uint64_t least = Source::least_bytes(element);
     if (element.count > source_.bytes_left() / least)
       fail(element, fmt::format("{} rows are announced, but the file has room for {} at most: it was cut short or its "

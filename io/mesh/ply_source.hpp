@@ -1,4 +1,4 @@
-// Where the values of a PLY body come from: one class for ascii, one for binary, of one shape.
+// The values of a PLY body: one class reads ascii, one binary. Both have these functions:
 //   begin_row(element, row)   the values of this row follow
 //   number(type)              the next value; every type of PLY fits into a double exactly
 //   end_row()                 throws if the row holds more
@@ -34,7 +34,8 @@ class AsciiSource {
   AsciiSource(std::string_view body, const PlyHeader& header, const std::string& name)
       : lines_(body, header.lines), name_(name) {}
 
-  /// The smallest room that so many values take: a digit and a separator each, none after the last.
+  /// The smallest size of a row: a digit and a separator for each value. `bytes_left` adds the separator that the
+  /// file's last value lacks.
   static std::uint64_t least_bytes(const PlyElement& element) { return 2 * element.properties.size(); }
   std::uint64_t bytes_left() const { return lines_.rest().size() + 1; }
 

@@ -10,7 +10,7 @@
 namespace tamis::io {
 namespace {
 
-/// Bytes of this machine, said so in the header: nothing is swapped.
+/// The byte order of this machine, which the header names: no bytes are swapped.
 constexpr const char* kFormat =
     std::endian::native == std::endian::little ? "binary_little_endian" : "binary_big_endian";
 

@@ -1,4 +1,4 @@
-// Polygons into triangles, the same way for every format.
+// Cuts polygons into triangles, the same way for every format.
 #pragma once
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ class Polygons {
     if (corners.size() > 3) ++cut_;
   }
 
-  /// Says how many polygons were cut, if any.
+  /// Notes in the mesh how many polygons were cut, if any.
   void note(MeshFile& mesh) const {
     if (cut_ == 1) mesh.notes.emplace_back("1 polygon of more than three corners was cut into a fan of triangles");
     if (cut_ > 1)

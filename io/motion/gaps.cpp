@@ -10,7 +10,7 @@
 namespace tamis::io {
 namespace {
 
-/// A name as its last digits and what stands before them.
+/// The last number in a name, and the text before it.
 struct Numbered {
   std::string before;
   std::int64_t number;
@@ -27,7 +27,7 @@ std::optional<Numbered> numbered(const std::filesystem::path& path) {
   return Numbered{name.substr(0, first), number};
 }
 
-/// Of names that differ in their numbers alone; 0 if they do not.
+/// The number in b less the number in a; 0 if one has no number or the texts before the numbers differ.
 std::int64_t difference(const std::filesystem::path& a, const std::filesystem::path& b) {
   const std::optional<Numbered> first = numbered(a), second = numbered(b);
   return first && second && first->before == second->before ? second->number - first->number : 0;

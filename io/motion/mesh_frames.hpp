@@ -8,8 +8,8 @@
 
 namespace tamis::io {
 
-/// Each file is read when it is asked for. Where the topology changes, or where a number in the names leaps, no step
-/// leads on.
+/// Each file is read when it is asked for. No step leads to a frame if its topology is new, or if numbers are missing
+/// between its file name and the one before.
 class MeshFrames final : public audit::FrameSource {
  public:
   /// REQUIRES: at least one path. Throws FileError if the first cannot be used.
@@ -22,7 +22,7 @@ class MeshFrames final : public audit::FrameSource {
   audit::FramePointer frame_of(const std::filesystem::path& path);
 
   std::vector<std::filesystem::path> paths_;
-  std::vector<std::string> gaps_;  ///< one a path: what is missing before it
+  std::vector<std::string> gaps_;  ///< for each path: a sentence on the frames missing before it, or empty
   audit::Objects objects_;
   std::size_t next_ = 0;
   MeshFile last_;  ///< topology alone
@@ -30,8 +30,8 @@ class MeshFrames final : public audit::FrameSource {
   audit::FramePointer first_;
 };
 
-/// Of each file, in their order: which ones are missing before it, as a sentence, or nothing. Files are numbered by the
-/// last digits of their names, and go on by the smallest difference that occurs.
+/// For each file, in their order, a sentence on the frames that are missing before it, or an empty one. A file's number
+/// is the last digits of its name; the smallest difference of two successive numbers counts as one frame.
 std::vector<std::string> gaps_between(const std::vector<std::filesystem::path>& paths);
 
 }  // namespace tamis::io

@@ -18,7 +18,7 @@ struct GivenMesh {
 /// The files that stand for a motion, in order.
 struct MotionFiles {
   std::vector<std::filesystem::path> meshes;
-  std::filesystem::path cache;  ///< of points, for the one mesh; empty: each mesh is a frame
+  std::filesystem::path cache;  ///< a point cache for the one mesh; empty: each mesh is a frame
 
   std::vector<std::filesystem::path> all() const;
 };
@@ -27,8 +27,8 @@ struct MotionFiles {
 /// or with none if the caller has the mesh. Throws FileError.
 MotionFiles motion_files(const std::vector<std::string>& names);
 
-/// `given.mesh` takes the place of the mesh file. Throws FileError if there is neither, if the first frame cannot be
-/// used, or the cache is none of this mesh. Later frames that cannot be used are problems of theirs.
+/// `given.mesh` takes the place of the mesh file. Throws FileError if a point cache comes with neither, if the first
+/// frame cannot be used, or if the cache is not of this mesh. A later frame that cannot be used comes with a `problem`.
 std::unique_ptr<audit::FrameSource> open_motion(const MotionFiles& files, GivenMesh given = {});
 
 }  // namespace tamis::io

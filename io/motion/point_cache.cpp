@@ -27,7 +27,8 @@ std::vector<char> take(std::ifstream& file, const std::string& name, std::size_t
   return bytes;
 }
 
-/// Of what was cut short a frame is there, or a part of one; of what is no cache the number may be anything.
+/// Refuses a count of frames that cannot be true: a cache that was cut short still holds a frame or a part of one; in a
+/// file that is no cache the count may be anything.
 void require_room(const PointCacheHeader& header, const std::string& name, std::uintmax_t size) {
   if (header.frames == 0 || header.frames > size)
     throw FileError(name, "", fmt::format("its header names {} frames: export it again", header.frames));

@@ -12,7 +12,7 @@ namespace tamis::io {
 /// Does the name end as those of point caches do?
 bool is_point_cache_name(const std::filesystem::path& path);
 
-/// What stands before the positions.
+/// The data before the positions.
 struct PointCacheHeader {
   std::uint32_t vertices = 0;
   std::uint32_t frames = 0;
@@ -31,7 +31,7 @@ class PointCache final : public audit::FrameSource {
 
  private:
   bool read(std::vector<Point>& positions);
-  /// What follows the last frame, as one that cannot be asked about; null if nothing does.
+  /// If bytes follow the last frame, a frame whose `problem` says so; otherwise null.
   audit::FramePointer what_is_left();
 
   std::ifstream file_;

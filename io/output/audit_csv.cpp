@@ -5,7 +5,7 @@
 namespace tamis::io {
 namespace {
 
-/// As RFC 4180 has it.
+/// In quotes, as in RFC 4180.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);

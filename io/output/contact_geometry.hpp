@@ -23,7 +23,7 @@ std::array<double, 4> weights_of(const Contact& contact);
 /// Where a vertex is at time t of the step.
 Point point_at(const Point& start, const Point& end, double t);
 
-/// The point of the first feature that touches, at time t.
+/// Where the touching point of the first feature is at time t.
 Point contact_point(const Contact& contact, std::span<const Point> start, std::span<const Point> end, double t);
 
 /// Of unit length; +z if the face has no area.

@@ -11,10 +11,10 @@ namespace tamis::io {
 
 /// kind is vf, ee, ve or vv, status certified or unresolved, n the normal.
 inline constexpr std::string_view kContactColumns = "kind,v0,v1,v2,v3,toi_lower,toi_upper,u,v,status,nx,ny,nz";
-/// These columns of one row; numbers read back to the same doubles.
+/// The cells of one row; numbers read back to the same doubles.
 std::string contact_cells(const Contact& contact);
 
-/// Those columns; rows in the order of `contacts`. Atomically. Throws FileError.
+/// Columns kContactColumns; rows in the order of `contacts`. Atomically. Throws FileError.
 void write_contacts_csv(const std::filesystem::path& path, std::span<const Contact> contacts);
 
 }  // namespace tamis::io

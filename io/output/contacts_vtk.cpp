@@ -17,7 +17,7 @@ class Document {
   template <class... Parts>
   void add(fmt::format_string<Parts...> format, Parts&&... parts) {
     fmt::format_to(std::back_inserter(text_), format, std::forward<Parts>(parts)...);
-    // Collected up to this size, not in full: a step may have millions of contacts.
+    // Writes the text in chunks of this size: a step may have millions of contacts.
     constexpr std::size_t kChunk = std::size_t{1} << 16;
     if (text_.size() > kChunk) flush();
   }

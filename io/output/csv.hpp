@@ -5,7 +5,7 @@
 
 namespace tamis::io {
 
-/// A text as one cell: in quotes where a comma, a quote or the end of a line would be taken for the table's (RFC 4180).
+/// A text as one cell: in quotes if it has a comma, a quote or a line end (RFC 4180).
 inline std::string csv_cell(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string cell = "\"";

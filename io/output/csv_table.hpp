@@ -15,7 +15,7 @@ class CsvTable {
   /// Throws FileError, as the others do.
   CsvTable(const std::filesystem::path& path, std::string_view header) : file_(path) { row("{}\n", header); }
 
-  /// `text`: as fmt has it, with the end of the line.
+  /// `text`: a format string of fmt, with the end of the line.
   template <class... Values>
   void row(fmt::format_string<Values...> text, Values&&... values) {
     fmt::format_to(std::back_inserter(rows_), text, std::forward<Values>(values)...);

@@ -22,7 +22,7 @@ std::vector<Index> flat(std::span<const Row> rows) {
 
 void add_mesh(GlbScene& scene, const Mesh& mesh, const Extent& extent, std::span<const Point> start,
               std::span<const Point> end) {
-  // Vertices that nothing uses may be anywhere.
+  // Unused vertices may be anywhere: puts them in the middle.
   MovingPoints points{std::vector<Point>(start.size(), extent.middle), std::vector<Point>(end.size(), extent.middle)};
   for (const Index index : mesh.points()) {
     const auto v = static_cast<std::size_t>(index);
@@ -49,7 +49,7 @@ Json table(std::span<const Contact> contacts) {
 
 void add_contacts(GlbScene& scene, const Extent& extent, std::span<const Point> start, std::span<const Point> end,
                   std::span<const Contact> contacts) {
-  constexpr double kArrow = 0.02;  // of the scene
+  constexpr double kArrow = 0.02;  // in units of half the scene
   MovingPoints places, arrows;
   std::vector<Colour> colours, arrow_colours;
   for (const Contact& c : contacts) {
@@ -76,7 +76,7 @@ void add_contacts(GlbScene& scene, const Extent& extent, std::span<const Point> 
 void write_glb(const std::filesystem::path& path, const Mesh& mesh, std::span<const Point> start,
                std::span<const Point> end, std::span<const Contact> contacts) {
   const Extent extent = extent_of(mesh, start, end);
-  // A way, and what readers add to it, must not overflow either.
+  // Displacements, and their sums with positions in readers, must not overflow floats either.
   if (!(extent.half < std::numeric_limits<float>::max() / 4))
     throw FileError(path.string(), "",
                     "the mesh is too large for the floats of glTF: scale it down, or write html, csv or vtp");

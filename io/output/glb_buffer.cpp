@@ -14,7 +14,7 @@ void append_word(std::string& bytes, std::size_t word) {
   for (std::size_t byte = 0; byte < 4; ++byte) bytes += static_cast<char>((word >> (8 * byte)) & 0xff);
 }
 
-/// Chunks are whole words.
+/// Pads to whole words of four bytes, as glTF requires of chunks.
 void pad(std::string& bytes, char with) {
   while (bytes.size() % 4 != 0) bytes += with;
 }

@@ -15,7 +15,7 @@ class GlbBuffer {
  public:
   /// Each returns the number of its accessor.
   std::size_t add_points(std::span<const FloatPoint> points);
-  /// Of an animation, or the values at them; ascending.
+  /// Times of an animation, or the values at these times; ascending.
   std::size_t add_times(std::span<const float> times);
   std::size_t add_indices(std::span<const std::int32_t> indices);
   /// Red, green, blue, alpha in [0, 255].

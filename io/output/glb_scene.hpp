@@ -27,9 +27,9 @@ class GlbScene {
   /// Positions are written relative to `middle`, where floats are finest.
   explicit GlbScene(const Point& middle) : middle_(middle) {}
 
-  /// The points and their way, to make primitives from.
+  /// Adds points at t=0 and their displacements; returns the JSON from which primitives are made.
   Json add_motion(const MovingPoints& points);
-  /// Nothing if there are no indices.
+  /// Adds nothing if there are no indices.
   void add_indexed(Json& primitives, Json motion, GlbMode mode, std::span<const Index> indices);
   void add_coloured(Json& primitives, Json motion, GlbMode mode, std::span<const Colour> colours);
   /// `extras`: null for none.

@@ -1,4 +1,4 @@
-// In place of pictures, where Embree or libpng is not there.
+// Takes the place of picture.cpp in a build without Embree or libpng.
 #include "io/picture/picture.hpp"
 #include "tamis/error.hpp"
 

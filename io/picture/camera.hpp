@@ -1,4 +1,4 @@
-// Where one looks from, and the ray of sight through each place of a picture.
+// The camera of a picture, and its ray through each place of the picture.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,8 @@ namespace tamis::io {
 /// y is up, unless one looks along it: then z is.
 class Camera {
  public:
-  /// From this direction, as near as all points stay within the picture. `aspect`: its width over its height.
+  /// Looks from the direction `from`, and stands as near as all points stay within the picture. `aspect`: the picture's
+  /// width over its height.
   Camera(const Vector& from, float aspect, std::span<const Vector> points)
       : back_(unit(from)),
         right_(unit(cross(std::abs(back_[1]) > kAlongUp ? Vector{0, 0, -1} : Vector{0, 1, 0}, back_))),
@@ -25,12 +26,12 @@ class Camera {
     }
   }
 
-  /// Through (x, y): (-1, -1) is the lower left corner, (1, 1) the upper right one.
+  /// The ray through (x, y) of the picture: (-1, -1) is the lower left corner, (1, 1) the upper right one.
   Ray sight(float x, float y) const {
     return {target_ + distance_ * back_, unit(kSlope * (aspect_ * x * right_ + y * up_) - back_), 0};
   }
 
-  /// How large something in the middle is that takes up this part of the picture's height.
+  /// The size of a thing in the middle of the scene that takes up `part` of the picture's height.
   float size_of(float part) const { return 2 * distance_ * kSlope * part; }
 
   const Vector& back() const { return back_; }
@@ -42,7 +43,7 @@ class Camera {
   static constexpr float kMargin = 1.06F;   // so that nothing touches the border
   static constexpr float kAlongUp = 0.99F;  // cosine of the angle to the axis
 
-  /// Of the points along an axis.
+  /// The middle of the points' range along an axis.
   static float middle(std::span<const Vector> points, const Vector& axis) {
     const auto along = [&](const Vector& a, const Vector& b) { return dot(a, axis) < dot(b, axis); };
     const auto [lowest, highest] = std::minmax_element(points.begin(), points.end(), along);

@@ -21,7 +21,7 @@ Vector unit(const Vector& a) {
 
 namespace {
 
-/// A point with the radius of what is around it, as Embree wants it.
+/// A point with the radius of the ball or rod around it, in Embree's layout.
 struct Ball {
   float x, y, z, radius;
 };
@@ -63,7 +63,7 @@ struct Drawing::Handles {
   template <class Handle>
   using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
 
-  /// What `fill` fills.
+  /// Adds the geometry that `fill` fills.
   template <class Fill>
   void add(RTCGeometryType type, Hit::Shape shape, const Fill& fill) {
     const Owned<RTCGeometry> geometry(rtcNewGeometry(device.get(), type));

@@ -1,4 +1,4 @@
-// What a ray of sight meets: surfaces, rods, points; and contacts, which are asked for on their own.
+// Finds what a ray meets: surfaces, rods and points. Contacts have a Drawing of their own.
 #pragma once
 #include <memory>
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace tamis::io {
 
-/// Single precision, as rays are traced in: pictures show, they decide nothing.
+/// Single precision, in which rays are traced: pictures show, they decide nothing.
 using Vector = std::array<float, 3>;
 
 inline Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
@@ -44,12 +44,12 @@ class Drawing {
   void add_triangles(std::span<const Vector> points, std::span<const Face> faces);
   void add_rods(std::span<const Vector> points, std::span<const Edge> rods, float radius);
   void add_points(std::span<const Vector> points, float radius);
-  /// After this nothing is added.
+  /// After this call nothing may be added.
   void finish();
 
   /// The first thing that the ray meets.
   std::optional<Hit> first_hit(const Ray& ray) const;
-  /// Is there anything within `reach`?
+  /// Does the ray meet anything within the distance `reach`?
   bool meets_any(const Ray& ray, float reach) const;
 
  private:

@@ -8,13 +8,13 @@
 namespace tamis::io {
 namespace {
 
-// In pixels: below, it would cover what is to be seen.
+// In pixels. In smaller pictures the legend would cover the scene.
 constexpr int kLeastWidth = 320;
 constexpr int kLeastHeight = 180;
 constexpr Rgb kInk{0xd8, 0xde, 0xe8};
 constexpr int kAdvance = 6;  ///< dots from one character to the next
 
-/// What is written, five by seven dots a character: two numbers need no font.
+/// A character of five by seven dots: two numbers need no font.
 struct Character {
   char name;
   std::array<std::string_view, 7> rows;

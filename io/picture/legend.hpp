@@ -1,4 +1,4 @@
-// What the colours of contacts say.
+// The legend for the colours of contacts.
 #pragma once
 #include "io/picture/png.hpp"
 

@@ -103,7 +103,7 @@ Light Scenery::seen_at(float x, float y, float turn, std::size_t part) const {
   if (!contact) return light;
   constexpr float kShinesThrough = 0.3F;
   const Light ball = (0.75F + 0.25F * dot(contact->normal, camera_.back())) * contact_colours_[contact->element];
-  // Half of a ball on a surface is behind it.
+  // The slack of a ball's size: half of a ball on a surface lies behind the surface, and the ball is still not hidden.
   const float slack = camera_.size_of(kContactSize);
   const bool is_hidden = surface && surface->distance + slack < contact->distance;
   return mix(light, ball, is_hidden ? kShinesThrough : 1);

@@ -10,7 +10,7 @@
 
 namespace tamis::io {
 
-/// About the middle of the scene, in the unit of half its size.
+/// Coordinates are relative to the middle of the scene, in units of half its longest side.
 class Scenery {
  public:
   Scenery(const Recording& recording, const PictureOptions& options);
@@ -28,7 +28,7 @@ class Scenery {
   FirstStep step_;
   double time_;
   Extent extent_;
-  std::vector<Vector> vertices_;  ///< those that nothing uses stand in the middle
+  std::vector<Vector> vertices_;  ///< unused ones stand in the middle
   Camera camera_;
   Drawing surfaces_;
   Drawing contacts_;

@@ -5,13 +5,13 @@ namespace tamis::io {
 float sky_at(const Drawing& surfaces, const Place& place, float turn, std::size_t part) {
   constexpr std::size_t kRays = 16, kParts = 4;
   constexpr float kGolden = 2.3999632F;  // the angle between two rays, in radians: they never line up
-  constexpr float kReach = 0.7F;         // of half the scene: what is farther away takes no light
-  constexpr float kOff = 1e-4F;          // lest a place hides itself
+  constexpr float kReach = 0.7F;         // in units of half the scene; farther things take no light
+  constexpr float kOff = 1e-4F;          // so that a place does not hide itself
   const Vector& n = place.normal;
   const Vector side = unit(cross(std::abs(n[0]) > 0.5F ? Vector{0, 1, 0} : Vector{1, 0, 0}, n)), other = cross(n, side);
   std::size_t free = 0;
   for (std::size_t i = part; i < kRays; i += kParts) {
-    // Denser about the normal, as what comes from there counts most.
+    // Rays are denser about the normal, as light from there counts most.
     const float radius = std::sqrt((static_cast<float>(i) + 0.5F) / kRays),
                 angle = turn + kGolden * static_cast<float>(i);
     const Vector direction =

@@ -38,8 +38,8 @@ inline Place place_of(const Ray& sight, const Hit& hit) {
   return {sight.origin + hit.distance * sight.direction, is_back ? -1.0F * hit.normal : hit.normal, is_back};
 }
 
-/// How much of the sky a place sees, from 0 to 1, by four rays of sixteen: `part`, from 0 to 3, says which. `turn`: an
-/// angle, another one for each place, so that the error is noise and no pattern.
+/// How much of the sky a place sees, from 0 to 1, by four of sixteen rays; `part`, from 0 to 3, chooses the four.
+/// `turn`: an angle that differs from place to place, so that the error is noise and no pattern.
 float sky_at(const Drawing& surfaces, const Place& place, float turn, std::size_t part);
 
 /// The light that a surface of this colour sends to the eye.

@@ -12,7 +12,7 @@ namespace {
 using audit::FrameFindings;
 using audit::FramePointer;
 
-/// The mesh of the first bad frame, or of the first; null if there is none.
+/// The mesh of the first kept frame that is not free, else of the first kept frame; null if none is kept.
 std::shared_ptr<const audit::AuditedMesh> shown_mesh(const std::vector<FrameFindings>& kept) {
   const auto is_bad = [](const FrameFindings& findings) { return !findings.answer.is_free(); };
   const auto bad = std::find_if(kept.begin(), kept.end(), is_bad);
@@ -31,7 +31,7 @@ RecordedStrip strip_of(const audit::Report& report) {
   return strip;
 }
 
-/// Each frame once, whether a step begins or ends there.
+/// Adds each frame to the recording once, also if one step ends and another begins there.
 class ShownFrames {
  public:
   explicit ShownFrames(Recording& recording) : recording_(recording) {}

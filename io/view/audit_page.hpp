@@ -1,4 +1,5 @@
-// The report of an audit as a page: a strip of all frames, and those that the report has kept, with what was found.
+// The report of an audit as a page: a strip of all frames, and the frames that the report has kept, with their
+// findings.
 #pragma once
 #include <filesystem>
 
@@ -6,8 +7,8 @@
 
 namespace tamis::io {
 
-/// Of several topologies the first one with something bad is shown. Atomically. Throws FileError; also if the report
-/// has kept no frame.
+/// Of several topologies, shows the first one with a frame that is not free. Atomically. Throws FileError; also if the
+/// report has kept no frame.
 void write_audit_page(const std::filesystem::path& path, const audit::Report& report);
 
 }  // namespace tamis::io

@@ -10,7 +10,7 @@
 namespace tamis::io {
 namespace {
 
-/// Of the box of the vertices that the mesh uses, its longest side.
+/// The longest side of the box around the vertices that the mesh uses.
 double size_of(const Mesh& mesh, const std::vector<Point>& positions) {
   double size = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -24,7 +24,7 @@ double size_of(const Mesh& mesh, const std::vector<Point>& positions) {
   return size;
 }
 
-/// Do straight pieces of this number look like the path?
+/// Do `pieces` straight pieces look like the path?
 bool looks_straight(const Path& path, const Mesh& mesh, int pieces, double size) {
   constexpr double kSeen = 1.0 / 256;  // of the scene
   const std::vector<Index> vertices(mesh.points().begin(), mesh.points().end());
@@ -62,7 +62,8 @@ void add_path(Recording& recording, const Path& path, const FoundOnPath& found, 
     c.toi_upper = std::min(1.0, c.toi_upper * pieces - piece);
     recording.steps[first + static_cast<std::size_t>(piece)].contacts.push_back(c);
   }
-  // A pair is listed where it meets first. It may touch from then on.
+  // A pair is listed only in the piece of its first contact, but may touch in all later pieces: these are not free
+  // either.
   for (int i = 0; i < pieces; ++i)
     if (found.free_before * pieces < i + 1)
       recording.steps[first + static_cast<std::size_t>(i)].free_before = std::max(0.0, found.free_before * pieces - i);

@@ -11,7 +11,7 @@ namespace tamis::io {
 /// What was found on a path.
 struct FoundOnPath {
   std::span<const Contact> contacts;  ///< all of them, or those that are to be shown
-  double free_before = 1;             ///< no pair meets before: what is proven
+  double free_before = 1;             ///< proven: no pair meets before this time
 };
 
 /// Adds so many pieces to the recording that no vertex deviates from one by more than the eye sees; but at most 64. A

@@ -7,10 +7,10 @@
 namespace tamis::io {
 namespace {
 
-/// A feature of a millionth of the scene still has sixteen steps of the grid.
+/// The grid's largest integer: a feature of a millionth of the scene still spans sixteen steps.
 constexpr std::uint32_t kFinest = (std::uint32_t{1} << 24) - 1;
 
-/// Around what is used, in all frames.
+/// The box around the used vertices in all frames.
 struct Box {
   Point lowest{kFar, kFar, kFar};
   Point highest{-kFar, -kFar, -kFar};

@@ -10,7 +10,7 @@ namespace tamis::io {
 struct QuantisedFrames {
   Point lowest{};
   double spacing = 1;  ///< of the grid: position = lowest + spacing * integer
-  double error = 0;    ///< largest |component| of what rounding took, over all frames
+  double error = 0;    ///< largest |component| of a rounding error, over all frames
   std::vector<std::vector<std::uint32_t>> frames;
 };
 

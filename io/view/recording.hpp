@@ -1,5 +1,5 @@
-// What the outputs for looking show: a mesh, its frames, and what was found in each step between two of them; or one
-// pose, and what passes through what in it.
+// The content of outputs to look at: a mesh, its frames, and the answers for the steps between them; or one pose and
+// its intersections.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,21 +15,21 @@ namespace tamis::io {
 struct RecordedStep {
   std::vector<Contact> contacts;
   std::vector<StageCount> stages;
-  /// What is proven free where not all contacts are listed; none: the listed ones say it.
+  /// Proven: no contact before this time. For steps whose contacts are not all listed; none: the listed contacts tell.
   std::optional<double> free_before = {};
-  /// Of the frame at which it ends; of an audit alone.
+  /// Of the frame at which the step ends; only an audit has them.
   std::vector<Intersection> intersections = {};
   /// The places of its start and its end among the frames; none: step i goes from frame i to frame i + 1.
   std::optional<std::array<std::size_t, 2>> ends = {};
 };
 
-/// What passes through what.
+/// The intersections of a pose.
 struct RecordedPose {
   std::vector<Intersection> intersections;
   std::vector<StageCount> stages;
 };
 
-/// All frames of an audited motion, of which the recording has some: a number each.
+/// The numbers of all frames of an audited motion; the recording has only some of these frames.
 struct RecordedStrip {
   static constexpr int kNotShown = -1;
 
@@ -52,7 +52,7 @@ struct Recording {
   std::optional<RecordedStrip> strip = {};
 };
 
-/// Where the vertices of the first step are, as it was decided; of a pose both are the pose.
+/// The vertices at both ends of the first step, scaled as it was decided; for a pose both are the pose.
 struct FirstStep {
   explicit FirstStep(const Recording& recording);
 

@@ -102,7 +102,7 @@ class PairColumns {
     for (const double w : {c.u, c.v}) weights_.push_back(fraction(w));
     add(static_cast<std::uint8_t>(c.kind), c.certainty, {c.toi_lower, c.toi_upper}, c.normal);
   }
-  /// `kind`: its number; `time`: of the step, when it is there.
+  /// `kind`: its number; `time`: at which time of the step the edge passes through the face.
   void add(const Intersection& i, const Point& normal, std::uint8_t kind, double time) {
     for (const Index v : i.edge) vertices_.push_back(bits_of(v));
     for (const Index v : i.face) vertices_.push_back(bits_of(v));
@@ -125,7 +125,8 @@ class PairColumns {
     vertices_.resize(vertex_width_ * kinds_.size(), bits_of(-1));
     weights_.resize((vertex_width_ - 2) * kinds_.size(), 0);
     certainties_.push_back(static_cast<std::uint8_t>(certainty));
-    // Doubles are ordered as their bits are, so the width in units in the last place is small where the bracket is.
+    // Doubles in [0,1] are ordered as their bits: the width in units in the last place is small if the bracket is
+    // narrow.
     lower_.push_back(std::bit_cast<std::uint64_t>(bracket[0]));
     width_.push_back(std::bit_cast<std::uint64_t>(bracket[1]) - lower_.back());
     for (const double x : normal) normals_.push_back(component(x));

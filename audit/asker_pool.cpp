@@ -5,7 +5,7 @@
 namespace tamis::audit {
 namespace {
 
-/// So often the owner of the pool looks whether it should stop.
+/// The longest wait in take(), after which the pool's owner checks whether to stop.
 constexpr std::chrono::milliseconds kPause{20};
 
 }  // namespace

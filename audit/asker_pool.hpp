@@ -13,7 +13,7 @@
 
 namespace tamis::audit {
 
-/// What was found in the frames of a run; up to `error`, if that ended it.
+/// The findings in the frames of a run; if `error` is set, in those before it was thrown.
 struct RunFindings {
   std::vector<FrameFindings> frames;
   std::exception_ptr error;
@@ -23,12 +23,12 @@ class AskerPool {
  public:
   /// Keeps a reference to the options.
   AskerPool(const Options& options, const Shares& shares);
-  /// Ends questions that are still asked.
+  /// Cancels questions that are still asked.
   ~AskerPool();
   AskerPool(const AskerPool&) = delete;
   AskerPool& operator=(const AskerPool&) = delete;
 
-  /// Is there room for one more run? As many may wait as are asked about.
+  /// Is there room for one more run? As many runs may wait as there are threads.
   bool has_room() const { return held_ < 2 * workers_.size(); }
   bool is_idle() const { return held_ == 0; }
   void add(FrameRun run);
@@ -47,9 +47,9 @@ class AskerPool {
   std::condition_variable changed_;
   std::deque<FrameRun> waiting_;
   std::map<std::int64_t, RunFindings> answered_;  ///< by the number of the first frame
-  std::size_t held_ = 0;                          ///< runs that were added and not taken; of the owner's thread alone
-  std::deque<std::int64_t> order_;                ///< of these the first frames; of the owner's thread alone
-  std::vector<std::thread> workers_;              ///< the last member: they use the others
+  std::size_t held_ = 0;              ///< runs that were added and not taken; used by the owner's thread alone
+  std::deque<std::int64_t> order_;    ///< first frames of these runs; used by the owner's thread alone
+  std::vector<std::thread> workers_;  ///< the last member: they use the others
 };
 
 }  // namespace tamis::audit

@@ -14,7 +14,7 @@ void require_not_cancelled(const Options& options) {
   if (options.is_cancelled && options.is_cancelled()) throw Cancelled("the audit was cancelled");
 }
 
-/// Adds what is found to the report, until all runs are asked about. Throws what ended it.
+/// Adds findings to the report until all runs are asked about. Throws if the audit ends before.
 void ask_all(FrameRuns& runs, AskerPool& pool, ReportBuilder& builder, const Options& options) {
   bool has_more = true;
   while (has_more || !pool.is_idle()) {

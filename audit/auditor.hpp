@@ -20,11 +20,11 @@ class Auditor {
   Auditor(const Auditor&) = delete;
   Auditor& operator=(const Auditor&) = delete;
 
-  /// The next frame, which is kept until the one after it; without a name it is called by its number. Frames that
-  /// cannot be used are reported. Throws Cancelled: the frame is then not part of the report, and the same one may be
+  /// Asks about the next frame and keeps it until the one after it. A frame without a name is called by its number.
+  /// Frames that cannot be used are reported. Throws Cancelled: the frame is then not part of the report, and may be
   /// added again.
   Added add(std::vector<Point> positions, std::string name);
-  /// Of the frames added so far. Valid until the next one.
+  /// The report of the frames added so far. Valid until the next frame is added.
   const Report& report() { return builder_.report(); }
 
  private:

@@ -24,31 +24,31 @@ std::string_view name_of(Kind kind);
 /// No path of edges joins two features.
 inline constexpr Index kNotConnected = -1;
 
-/// A pair that touches in a step, or passes through each other in a frame. Plain data.
+/// A pair that touches in a step, or whose features pass through each other in a frame. Plain data.
 struct Finding {
   /// The frame, counted from 0; of a contact the one at which the step ends.
   std::int64_t frame;
   Kind kind;
-  /// Of the first feature, then of the second, as in Contact and Intersection; -1 where a kind has fewer.
+  /// Vertices of the first feature, then of the second, as in Contact and Intersection; -1 where a kind has fewer.
   std::array<Index, 5> vertices;
-  /// Of a contact, fractions of the step, as in Contact; of an intersection both 1: it is there when the step ends.
+  /// Of a contact, fractions of the step, as in Contact; of an intersection both 1, the end of the step.
   double toi_lower;
   double toi_upper;
-  /// Of the first vertex of each feature.
+  /// The object of each feature's first vertex.
   std::array<Index, 2> objects;
-  /// As RingSearch has it: 1 of topological neighbours, limit + 1 beyond the limit, -1 if not connected.
+  /// As RingSearch counts: 1 for topological neighbours, limit + 1 beyond the limit, -1 if not connected.
   Index rings;
 };
 
 /// One frame and the step that ends there, in numbers.
 struct FrameAnswer {
   std::string name;
-  std::string problem;                         ///< why nothing was asked; empty if it was
-  std::string note;                            ///< as of Frame, or that the topology changes here
-  bool has_step = false;                       ///< a step was asked that ends here
+  std::string problem;                         ///< why the frame was not asked about; empty if it was
+  std::string note;                            ///< the Frame's note; says also if the topology changes here
+  bool has_step = false;                       ///< a step that ends here was asked about
   std::array<std::uint64_t, kKinds> counts{};  ///< by Kind
   std::uint64_t neighbours = 0;                ///< of these, pairs one edge apart
-  double toi_lower = 1;                        ///< the step is free before: proven
+  double toi_lower = 1;                        ///< proven: the step is free before
   double toi_upper = 1;
 
   std::uint64_t contacts() const { return counts[0] + counts[1] + counts[2] + counts[3]; }
@@ -56,7 +56,7 @@ struct FrameAnswer {
   bool is_free() const { return problem.empty() && contacts() + intersections() == 0; }
 };
 
-/// With the pairs, and what a picture of them takes.
+/// The answer with the pairs, and the data to show them.
 struct FrameFindings {
   std::int64_t number;  ///< of the frame, counted from 0
   FramePointer before;  ///< null unless there is a step

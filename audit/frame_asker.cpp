@@ -11,7 +11,7 @@ bool is_finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1
 /// Is it one vertex, three times?
 bool is_point(const Face& face) { return face[0] == face[1] && face[1] == face[2]; }
 
-/// Vertices of the first feature.
+/// The number of vertices of the first feature.
 std::size_t first_size(Kind kind) { return kind == Kind::edge_edge || kind == Kind::edge_face ? 2 : 1; }
 
 std::size_t used(const std::array<Index, 4>& vertices) {
@@ -82,9 +82,9 @@ void FrameAsker::ask_step(FrameFindings& findings) {
   bracket_first(findings.answer, findings.contacts);
 }
 
-/// From a frame without intersections a step without contacts leads to another one: an edge that comes to touch a face
-/// does so first with an end, or at an edge of the face, and those are contacts. Not where a face is one vertex, and
-/// has no edge: a triangle that has this vertex, too, can flatten until the side opposite meets it.
+/// A step without contacts from a frame without intersections leads to another such frame, so the question is left out:
+/// an edge first touches a face with an end, or at an edge of the face, and both are contacts. The exception is a face
+/// of one vertex, which has no edge: a triangle with this vertex can flatten until its opposite side meets the vertex.
 void FrameAsker::ask_pose(FrameFindings& findings) {
   const bool is_led_to =
       !has_point_face_ && findings.before && findings.before == free_frame_ && findings.contacts.empty();

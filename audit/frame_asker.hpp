@@ -11,7 +11,7 @@
 
 namespace tamis::audit {
 
-/// With a detector that is kept from frame to frame. The answers do not depend on what was asked before.
+/// Keeps one detector from frame to frame. The answers do not depend on what was asked before.
 class FrameAsker {
  public:
   /// Keeps a reference to the options. `threads`: of the detector.

@@ -5,12 +5,12 @@
 namespace tamis::audit {
 namespace {
 
-/// A detector lists pairs for up to 32 steps ahead, and each run begins anew.
+/// A detector lists pairs ahead for up to 32 steps, and begins a new list in each run.
 constexpr std::size_t kLongestRun = 32;
-/// Of the positions of a run: there are two runs or so for each thread.
+/// For the positions of one run; memory holds about two runs for each thread.
 constexpr std::size_t kRunBytes = std::size_t{16} << 20;
 
-/// As many frames as may be held at a time, from the size of one.
+/// The largest number of frames in a run, from the size of one frame.
 std::size_t longest_run(const FramePointer& frame) {
   const std::size_t bytes = std::max<std::size_t>(frame->positions.size() * sizeof(Point), 1);
   return std::clamp<std::size_t>(kRunBytes / bytes, 1, kLongestRun);

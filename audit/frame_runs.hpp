@@ -21,7 +21,7 @@ struct Shares {
   int threads = 1;  ///< of each
 };
 
-/// Cuts what a source gives into runs.
+/// Cuts the frames of a source into runs.
 class FrameRuns {
  public:
   /// Reads as many frames as keep all threads busy at first. Keeps a reference.
@@ -39,7 +39,7 @@ class FrameRuns {
 
   FrameSource& source_;
   Shares shares_;
-  std::vector<FramePointer> read_;  ///< of no run yet
+  std::vector<FramePointer> read_;  ///< frames that are in no run yet
   FramePointer before_;
   std::int64_t number_ = 0;
   std::size_t most_ = 1;  ///< frames a run

@@ -18,7 +18,7 @@ struct Frame {
   std::shared_ptr<const AuditedMesh> mesh;
   /// Why the frame cannot be used, as a sentence; it then needs no positions and no mesh.
   std::string problem = {};
-  /// What a reader should know, as a sentence: frames are missing before this one.
+  /// What a reader should know, as a sentence: for example, that frames are missing before this one.
   std::string note = {};
   /// Is this the end of a step from the frame before?
   bool follows = true;
@@ -30,9 +30,9 @@ using FramePointer = std::shared_ptr<const Frame>;
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
-  /// The next frame; null after the last. What it throws ends the audit.
+  /// The next frame; null after the last. Any exception ends the audit.
   virtual FramePointer next() = 0;
-  /// How many frames there are, where that is known before; else 0.
+  /// The number of frames if it is known in advance, else 0.
   virtual std::size_t count() const { return 0; }
 };
 

@@ -7,7 +7,7 @@ namespace {
 
 std::size_t bytes_of(const FramePointer& frame) { return frame ? frame->positions.size() * sizeof(Point) : 0; }
 
-/// With the frame before, even if that is kept as well: no more than twice what it takes.
+/// Counts the frame before, even if that frame is kept as well: at most twice the memory that is taken.
 std::size_t bytes_of(const FrameFindings& findings) {
   return sizeof(FrameFindings) + bytes_of(findings.before) + bytes_of(findings.frame) +
          findings.contacts.size() * sizeof(Contact) + findings.intersections.size() * sizeof(Intersection);

@@ -8,8 +8,8 @@
 
 namespace tamis::audit {
 
-/// All of them as long as they fit into so much memory. Then free ones leave: of these every second, every fourth and
-/// so on is kept, and the first. Once bad frames alone fill the memory, later ones are not kept.
+/// Keeps all frames while they fit into `most_bytes`. Then it drops free ones: it keeps every second, then every fourth
+/// and so on, and the first. Once frames that are not free fill the memory alone, no later frames are kept.
 class KeptFrames {
  public:
   explicit KeptFrames(std::size_t most_bytes = 0) : most_bytes_(most_bytes) {}
@@ -19,12 +19,12 @@ class KeptFrames {
   const std::vector<FrameFindings>& frames() const { return frames_; }
 
  private:
-  /// Keeps every second free frame of those left; false if there is none that could leave.
+  /// Drops every second of the kept free frames; false if there is none to drop.
   bool thin_out();
 
   std::size_t most_bytes_;
   std::size_t bytes_ = 0;
-  std::int64_t stride_ = 1;  ///< of the free frames
+  std::int64_t stride_ = 1;  ///< between the numbers of kept free frames
   std::vector<FrameFindings> frames_;
 };
 

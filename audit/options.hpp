@@ -9,7 +9,7 @@
 namespace tamis::audit {
 
 struct Options {
-  /// Of the contacts: as of tamis::Options.
+  /// For contacts, as in tamis::Options.
   double min_separation = 0;
   /// >= 0; 0: all. The report does not depend on it.
   int threads = 0;
@@ -19,13 +19,13 @@ struct Options {
   bool contacts = true;
   /// How far to search for the path between two features, in edges, in [1, 1000].
   Index ring_limit = 10;
-  /// Pairs that the report lists, the first ones; all are counted.
+  /// The number of pairs that the report lists at most, the first ones; all are counted.
   std::uint64_t listed_pairs = 1'000'000;
   /// Memory for the frames that the report keeps with their positions, so that they can be looked at; 0: none.
   std::size_t kept_bytes = std::size_t{256} << 20;
-  /// Told, now and then, how many frames have been asked.
+  /// Called now and then with the number of frames that have been asked about.
   std::function<void(std::size_t)> progress = nullptr;
-  /// Asked often, from several threads; true ends the audit.
+  /// Called often, from several threads; true ends the audit.
   std::function<bool()> is_cancelled = nullptr;
 };
 

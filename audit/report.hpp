@@ -23,13 +23,14 @@ struct Report {
   std::vector<FrameAnswer> frames;  ///< those that were asked about, in their order
   std::vector<Finding> pairs;       ///< the first ones, by frame
   std::uint64_t pairs_left_out = 0;
-  /// Of all pairs: those 1, 2, ... edges apart up to the limit, those farther apart, those that are not connected.
+  /// How many of all pairs are 1, 2, ... edges apart up to the limit; how many are farther apart; how many are not
+  /// connected.
   std::vector<std::uint64_t> by_rings;
   std::array<std::uint64_t, kKinds> counts{};
   std::uint64_t steps = 0;     ///< that were asked about
   std::uint64_t problems = 0;  ///< frames that could not be asked about
   KeptFrames kept;
-  /// Why it ended before the source did; null if it did not.
+  /// The exception that ended the audit before the source did; null if there was none.
   std::exception_ptr ended_by;
 
   /// Nothing was found, and all could be asked about.

@@ -25,7 +25,7 @@ void RingSearch::search_from(std::span<const Index> feature) {
   reached_.clear();
   from_.assign(feature.begin(), feature.end());
   for (const Index v : feature) reach(v, 0);
-  // By number: reach() makes the list longer.
+  // By index, as reach() makes the list longer.
   for (std::size_t i = 0; i < reached_.size(); ++i) {  // NOLINT(modernize-loop-convert)
     const Index rings = rings_[static_cast<std::size_t>(reached_[i])] + 1;
     if (rings > limit_) return;

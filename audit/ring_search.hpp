@@ -7,8 +7,8 @@
 
 namespace tamis::audit {
 
-/// Breadth-first from one feature, no farther than a limit. Pairs that follow each other with the same first feature,
-/// as they do in every answer, share one search.
+/// Breadth-first from one feature, no farther than a limit. Successive pairs with the same first feature share one
+/// search; every answer lists its pairs in such an order.
 class RingSearch {
  public:
   RingSearch(const AuditedMesh& mesh, Index limit);

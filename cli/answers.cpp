@@ -12,7 +12,7 @@ void print_bracket(double toi_lower, double toi_upper) {
              toi_lower, toi_upper - toi_lower);
 }
 
-/// Which features. `bodies`: of whom, unless all are of one mesh.
+/// Prints two features. `bodies`: the names of their bodies; empty if all are of one mesh.
 void print_between(PairKind kind, const std::array<Index, 4>& v, const std::array<std::string, 2>& bodies = {}) {
   const auto [first, second] = [&]() -> std::array<std::string, 2> {
     switch (kind) {

@@ -11,13 +11,13 @@ namespace tamis::cli {
 void print_tally(const Tally& tally);
 void add_tally(Json& json, const Tally& tally);
 
-/// `bodies`: whose features they are, where several bodies are asked about.
+/// `bodies`: the names of the features' bodies; empty if the question is about one mesh.
 void print_contact(const Contact& contact, const std::array<std::string, 2>& bodies = {});
 
 void print_earliest(const EarliestContact& first);
 void add_earliest(Json& json, const EarliestContact& first);
 
-/// `keep`: of the distance beyond `min_separation` that was to be kept.
+/// `keep`: the part of the distance beyond `min_separation` that every pair was to keep.
 void print_safe_step(const SafeStep& safe, double keep, double min_separation);
 void add_safe_step(Json& json, const SafeStep& safe, double keep);
 

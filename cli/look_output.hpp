@@ -15,18 +15,18 @@ enum class Shown { steps, pose };
 /// The file to write, and how a picture looks.
 class LookOutput {
  public:
-  /// `path`: by default, "" for none. `shown`: for a pose there are fewer formats, and no time.
+  /// `path`: the default, "" for none. `shown`: a pose has fewer formats, and no time.
   LookOutput(std::string path, io::NoExtension without, Shown shown = Shown::steps)
       : path_(std::move(path)), without_(without), shown_(shown) {}
 
   void declare(OptionList& options);
-  /// Before anything is read: throws io::FileError if no output has this extension, InvalidOptions if none can be made,
-  /// or an option of pictures comes without one.
+  /// To be called before anything is read. Throws io::FileError if no output has this extension, InvalidOptions if
+  /// pictures cannot be made, or if an option of pictures comes without a picture.
   void check() const;
-  /// Before the work: throws as check() and require_output(), and if the output does not hold so many steps; none: a
-  /// pose.
+  /// To be called before the work. Throws as check() and require_output() do, and if the output cannot hold so many
+  /// steps; 0 steps: a pose.
   void require(const std::vector<std::filesystem::path>& inputs, std::size_t steps, bool answer_is_alone) const;
-  /// Nothing if there is no output.
+  /// Writes nothing if there is no output.
   void write(const io::Recording& recording) const;
 
   const std::string& path() const { return path_; }
@@ -46,7 +46,7 @@ class LookOutput {
   std::vector<int> size_;     ///< as given
 };
 
-/// What is shown of a pose. Valid as long as the detector; it has just answered.
+/// The recording of a pose. Valid as long as the detector. REQUIRES: the detector's last answer is `found`.
 io::Recording recording_of(const Detector& detector, const std::filesystem::path& name, std::vector<Point> positions,
                            const std::vector<Intersection>& found);
 

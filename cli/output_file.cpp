@@ -11,7 +11,7 @@
 namespace tamis::cli {
 namespace {
 
-/// The type of what both lead to; 0 if that is not the same.
+/// The type of the file, if both lead to the same one; otherwise 0.
 mode_t common_type(int stream, const std::filesystem::path& output) {
   struct stat of_stream {
   }, of_output{};
@@ -20,7 +20,7 @@ mode_t common_type(int stream, const std::filesystem::path& output) {
   return is_same ? of_stream.st_mode & S_IFMT : 0;
 }
 
-/// A pipe or terminal may take both; of a file only the one that comes last would be left.
+/// A pipe or terminal may take the answer and the output. A regular file would keep only the later of them.
 void require_not_taken(const std::filesystem::path& output) {
   for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
     if (S_ISREG(common_type(stream, output)))

@@ -12,10 +12,11 @@ namespace tamis::cli {
 /// `--out FILE`. `help` says what is written, and in which formats.
 void declare_output(OptionList& options, std::string& path, const std::string& help);
 
-/// Before the work: throws InvalidOptions if `output` is one of the inputs, by whatever link or spelling, or the file
-/// that stdout or stderr goes to; io::FileError if its name has another extension than the one given here ("csv", if
-/// any), or if it cannot be written. An empty name, for no output, is fine. A pipe that stdout goes to, too, gets the
-/// file first, then the answer; unless `answer_is_alone`, as JSON is, or rows that are printed meanwhile: this throws.
+/// To be called before the work. Throws InvalidOptions if `output` is one of the inputs, by whatever link or spelling,
+/// or the file that stdout or stderr goes to; io::FileError if its name has another extension than `extension` ("csv";
+/// empty: any), or if it cannot be written. An empty `output` means no output, and is fine. A pipe that is stdout as
+/// well gets the file first, then the answer. With `answer_is_alone` (JSON, or rows that are printed during the work)
+/// such a pipe is refused.
 void require_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,
                     bool answer_is_alone, std::string_view extension = {});
 

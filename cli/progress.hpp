@@ -14,7 +14,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void show(std::size_t done);
-  /// Before anything else is printed.
+  /// To be called before anything else is printed.
   void clear();
 
  private:

@@ -27,16 +27,17 @@ void add_costs(Json& json, const Detector& detector, const Timing& timing);
 void print_json(const Json& json);
 
 void print_mesh(const Mesh& mesh);
-/// `only_kind`: what the pairs are called where they are of one kind alone.
+/// `only_kind`: the name of the pairs' kind, if there is only one kind.
 void print_costs(const Statistics& statistics, const Timing& timing, int repeat, std::string_view only_kind = {});
 
 /// Largest memory this process held so far.
 std::uint64_t peak_memory_bytes();
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number);
-/// "1 triangle", "2,000 triangles". `nouns`: unless it is `noun` and an s.
+/// "1 triangle", "2,000 triangles". `nouns`: the plural, unless it is `noun` and an s.
 std::string counted(std::uint64_t number, std::string_view noun, std::string_view nouns = {});
-/// A time of the step with ten decimals, rounded down: before it nothing touches if nothing does before `time`.
+/// A time of the step with ten decimals, rounded down: if nothing touches before `time`, nothing touches before the
+/// printed time.
 std::string no_later(double time);
 /// Seconds in a unit that suits them.
 std::string readable(double seconds);

@@ -66,7 +66,7 @@ Json with_utf8_text(const Json& json) {
 
 }  // namespace
 
-// In ASCII: a terminal obeys control characters beyond it, too.
+// In ASCII: a terminal obeys control characters beyond ASCII, too.
 void print_json(const Json& json) { fmt::print("{}\n", with_utf8_text(json).dump(2, ' ', true)); }
 
 }  // namespace tamis::cli

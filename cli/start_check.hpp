@@ -1,5 +1,5 @@
-// What an answer about contacts presupposes: that nothing passes through anything at the start. Two sheets that are
-// through each other may move without a contact.
+// Checks what an answer about contacts presupposes: that nothing passes through anything at the start. Two sheets that
+// pass through each other may move without a contact.
 #pragma once
 #include <string>
 #include <vector>
@@ -15,26 +15,26 @@ class StartCheck {
  public:
   void declare(OptionList& options);
   void declare_for_bodies(OptionList& options);
-  /// May the verb's own question be asked? False: the start passes through itself, which the option wanted to know.
+  /// May the verb ask its own question? False if the option is given and the start passes through itself.
   bool passes(Detector& detector, const Positions& start);
-  /// The same of bodies, where they are. Keeps the first that there is.
+  /// The same for bodies at their present places. Keeps the first intersection.
   bool passes(World& world);
-  /// Of a start that does not pass. `json`: what it adds to. Returns the exit code.
+  /// Prints that the start does not pass, as JSON by adding to `json`. Returns the exit code.
   int refuse(const Detector& detector, bool as_json, Json json) const;
-  /// Of bodies, by their names.
+  /// The same for bodies. `names`: by the bodies' numbers.
   void print_refused(const std::vector<std::string>& names) const;
   void add_refused_to(Json& json, const std::vector<std::string>& names) const;
 
-  /// Below an answer that says "free": what was presupposed, or that it was asked.
+  /// Prints, below an answer that says "free", that a clean start is presupposed, or that it was asked for.
   void print() const;
   void print_for_bodies() const;
-  /// start_intersections: how many, null if nobody asked.
+  /// Adds the key start_intersections: their number, null if the option is not given.
   void add_to(Json& json) const;
 
  private:
   bool is_asked_ = false;
   std::size_t intersections_ = 0;
-  BodyIntersection first_{};  ///< of bodies, if there are any
+  BodyIntersection first_{};  ///< the first intersection of bodies, if there is one
 };
 
 }  // namespace tamis::cli

@@ -10,10 +10,10 @@
 
 namespace tamis::cli {
 
-/// Reads a mesh and says on stderr what its reader should know.
+/// Reads a mesh and prints its notes on stderr.
 io::MeshFile read_with_notes(const std::filesystem::path& path);
 
-/// Where things are a part of the way from start to end: start for 0, end but for rounding for 1.
+/// Positions at `part` of the way from start to end: start for 0; end, but for rounding, for 1.
 std::vector<Point> between(const std::vector<Point>& start, const std::vector<Point>& end, double part);
 
 struct StepFiles {

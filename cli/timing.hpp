@@ -9,10 +9,9 @@ namespace tamis::cli {
 
 struct Timing {
   Seconds cold;  ///< the first run: the hierarchy is built
-  Seconds
-      warm;  ///< of the later runs the one of median total, so that its parts add up; the first if it was the only one
+  Seconds warm;  ///< the later run of median total, whose parts add up; the first run if it is the only one
 
-  /// Of another question.
+  /// Adds the times of another question.
   Timing& operator+=(const Timing& other) {
     cold += other.cold;
     warm += other.warm;

@@ -13,28 +13,28 @@ inline constexpr NumberRange<int> kThreadCounts{0, 1024};
 inline constexpr NumberRange<int> kRunCounts{1, 1'000'000};
 inline constexpr NumberRange<int> kRings{1, 1'000'000};
 
-/// How to detect.
+/// The options of a detector.
 class DetectorArguments {
  public:
   void declare(OptionList& options);
-  /// Of a world, whose bodies have no radii.
+  /// For a world, whose bodies have no radii.
   void declare_for_bodies(OptionList& options);
-  /// Only what a question at rest has, too: no radius or separation concerns it.
+  /// Only the options that a question about one pose has, too: no radius, no separation.
   void declare_means(OptionList& options);
-  /// `meaning`: of such a radius for the question.
+  /// `meaning`: what a radius means for the question.
   void declare_radius(OptionList& options, const std::string& meaning);
-  /// Before any file is read. Throws InvalidOptions.
+  /// For a check before any file is read. Throws InvalidOptions.
   void check() const { chosen(); }
-  /// All of them, for a mesh that nobody has as a whole. Throws InvalidOptions; also if objects have radii of their
+  /// The chosen options where no one has the whole mesh. Throws InvalidOptions, also if objects have radii of their
   /// own.
   Options options() const;
-  /// All of them, for `mesh`. Throws InvalidOptions.
+  /// The chosen options for `mesh`. Throws InvalidOptions.
   Options options_for(const Mesh& mesh) const;
   /// Asks about `mesh` as the options say. Throws InvalidOptions.
   Detector detector(Mesh mesh) const;
 
  private:
-  /// But for radii.
+  /// All options but radii.
   Options chosen() const;
 
   std::string isa_ = "best";

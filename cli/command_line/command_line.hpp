@@ -13,9 +13,9 @@ namespace tamis::cli {
 /// CLI11 would take for a list, becomes ./[a,b].
 std::vector<std::string> words_of(int argc, char** argv);
 
-/// What CLI11 lets pass, or says in words that do not help. Throws InvalidOptions if the verb has no such option, one
-/// is given twice, a value is empty (`--out ""`, `--scale=`, `""` for a file: a variable of the shell that is not set),
-/// or an option stands where the value of the one before should (`--out --json`).
+/// Refuses errors that CLI11 lets pass, or reports in words that do not help. Throws InvalidOptions if the verb has no
+/// such option, one is given twice, a value is empty (`--out ""`, `--scale=`, `""` for a file: a variable of the shell
+/// that is not set), or an option stands where the value of the one before should (`--out --json`).
 void require_sound(const CLI::App& verb, const std::vector<std::string>& reversed_words);
 
 }  // namespace tamis::cli

@@ -23,7 +23,7 @@ void write_line(std::string_view head, std::string_view sentence) noexcept {
 }  // namespace
 
 void show(std::string_view text) noexcept {
-  // Whether it arrives or not: there is nowhere else to say so, and the exit code tells.
+  // Ignores a failure: there is nowhere else to report it, and the exit code tells.
   if (std::fwrite(text.data(), 1, text.size(), stderr) == text.size()) std::fflush(stderr);
 }
 

@@ -1,5 +1,4 @@
-// What the command says on stderr. A stderr that is closed or full takes nothing away from the answer: these never
-// throw.
+// Messages of the command on stderr. They never throw: a stderr that is closed or full must not cost the answer.
 #pragma once
 #include <string>
 #include <string_view>
@@ -12,7 +11,7 @@ void note(std::string_view sentence) noexcept;
 /// A line `tamis: ...`: why there is no answer. Returns kError.
 int fail(std::string_view sentence) noexcept;
 
-/// As it is, for a terminal.
+/// Writes the text as it is, for a terminal.
 void show(std::string_view text) noexcept;
 
 }  // namespace tamis::cli

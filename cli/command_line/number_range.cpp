@@ -24,7 +24,7 @@ std::optional<T> read_number(const std::string& text) {
   }
 }
 
-/// After the word for the number: ">= 0 and < 1", "from 1 to 9"; empty if there is no bound.
+/// The words that follow the word for the number: ">= 0 and < 1", "from 1 to 9"; empty if there is no bound.
 template <class T>
 std::string bounds_of(const NumberRange<T>& range) {
   const bool is_bounded_below = range.least > std::numeric_limits<T>::lowest() || !std::is_signed_v<T>;

@@ -24,7 +24,7 @@ std::string name_from(const std::string& option, const std::string& text) {
   return text;
 }
 
-/// An option whose words `read` is given; what it refuses is an error of the command line.
+/// An option whose words are given to `read`. If that throws InvalidOptions, it is an error of the command line.
 template <class Read>
 CLI::Option* add_read(CLI::App& app, const std::string& name, const Read& read, const std::string& help) {
   const auto callback = [read](const CLI::results_t& texts) {
@@ -38,7 +38,7 @@ CLI::Option* add_read(CLI::App& app, const std::string& name, const Read& read, 
   return app.add_option(name, callback, help);
 }
 
-/// An option whose words hold lists; `value_of` is one of `values`.
+/// An option whose words hold lists; `value_of` makes a value of one part of a list.
 template <class T, class ValueOf>
 CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<T>& values, const ValueOf& value_of,
                       const std::string& help) {

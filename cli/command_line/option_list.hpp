@@ -1,5 +1,5 @@
-// What a verb takes: its options and the names that follow it. CLI11 takes the command line apart; its headers take
-// longer to compile than the verbs do, so that they are included where it is asked, and not here.
+// The options of a verb and the names that follow the verb. CLI11 takes the command line apart; its headers take longer
+// to compile than the verbs, so only the files that call CLI11 include them.
 #pragma once
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ class Option;
 
 namespace tamis::cli {
 
-/// One that a list has taken.
+/// An option that was added to an OptionList.
 class Option {
  public:
   Option() = default;
@@ -22,24 +22,24 @@ class Option {
   Option required();
   /// What the help calls its value, as in "FILE".
   Option shown_as(const std::string& value);
-  /// Once the command line has been read.
+  /// Known once the command line has been read.
   bool is_given() const;
 
  private:
   CLI::Option* option_ = nullptr;
 };
 
-/// Each is read into a variable, which must live as long as the list. Every value is looked at while the command line
-/// is read, before any file is.
+/// Each option is read into a variable, which must live as long as the list. Every value is checked while the command
+/// line is read, before any file is read.
 class OptionList {
  public:
   explicit OptionList(CLI::App& app) : app_(app) {}
 
   /// `--name`.
   Option add_flag(const std::string& name, bool& value, const std::string& help);
-  /// `--name text`; or what stands in that place, if the name is in capitals.
+  /// `--name text`; a name in capitals takes the word in that place of the command line.
   Option add_text(const std::string& name, std::string& value, const std::string& help);
-  /// `--name one --name two`; or all words from that place.
+  /// `--name one --name two`; a name in capitals takes all words from that place on.
   Option add_texts(const std::string& name, std::vector<std::string>& values, const std::string& help);
   /// `--name one,two`, or `--name one --name two`.
   Option add_names(const std::string& name, std::vector<std::string>& values, const std::string& help);

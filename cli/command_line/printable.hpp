@@ -1,4 +1,4 @@
-// Bytes that others chose, such as the names of files, where people and programs read them.
+// Makes bytes that others chose, such as names of files, safe for people and programs to read.
 #pragma once
 #include <string>
 #include <string_view>

@@ -26,7 +26,7 @@ int fail_to_print() { return fail("the result cannot be written to the standard 
 /// What was printed must have arrived: a full disk behind stdout is an error too.
 int finish(int code) { return flush_output() ? code : fail_to_print(); }
 
-/// What the verb was asked about: it tells which of many commands failed.
+/// The verb and the names that follow it: they tell which of many commands failed.
 std::string subject_of(const CLI::App& verb) {
   std::string subject = verb.get_name();
   for (const CLI::Option* option : verb.get_options())

@@ -3,11 +3,11 @@
 
 namespace tamis::cli {
 
-/// To be called first. A closed stream would give its number to the next file that is opened, and notes would be
-/// written into a result: closed ones are opened so that reading finds the end and writing fails.
+/// To be called first. Opens each closed stream so that reading finds the end and writing fails. Otherwise the next
+/// file that is opened would get the stream's number, and notes would be written into a result.
 void occupy_standard_streams();
 
-/// Sends what was printed on its way; false if not all of it arrived (a full disk, a closed stream).
+/// Flushes stdout; false if not all output arrived (a full disk, a closed stream).
 bool flush_output();
 
 }  // namespace tamis::cli

@@ -92,7 +92,7 @@ Json json_of(const Report& report, const audit::Finding& pair) {
   return json;
 }
 
-/// Sentences by frame.
+/// All non-empty sentences, each with its frame.
 Json texts(const Report& report, std::string FrameAnswer::*text) {
   Json list = Json::array();
   for (std::size_t i = 0; i < report.frames.size(); ++i)

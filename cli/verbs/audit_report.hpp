@@ -1,4 +1,4 @@
-// What is said of an audited motion, for people and as JSON.
+// Prints the report of an audited motion, for people and as JSON.
 #pragma once
 #include "audit/report.hpp"
 #include "cli/report.hpp"
@@ -8,7 +8,7 @@ namespace tamis::cli {
 /// `seconds`: from the first frame to the last.
 void print_audit(const audit::Report& report, double seconds);
 Json audit_json(const audit::Report& report, double seconds);
-/// On stderr: what a reader should know of some frames.
+/// Prints the notes of frames on stderr.
 void note_frames(const audit::Report& report);
 /// Why some frames could not be asked about, in one sentence. REQUIRES: there are some.
 std::string problem_of(const audit::Report& report);

@@ -34,7 +34,7 @@ class Bench : public Verb {
  protected:
   /// Options that choose among ways of answering.
   virtual void declare_ways(OptionList&) {}
-  /// Those that were chosen. Throws InvalidOptions.
+  /// The ways that were chosen. Throws InvalidOptions.
   virtual std::vector<BenchmarkWay> ways() const { return {BenchmarkWay{}}; }
 
  private:

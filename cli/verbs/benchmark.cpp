@@ -20,7 +20,7 @@ struct Run {
   double cpu;
 };
 
-/// Sums over the threads: steadier than the wall clock where others use the machine too.
+/// Processor time of all threads: steadier than the wall clock if others use the machine too.
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// FNV-1a over the pairs in their order, which the detector promises.
@@ -112,7 +112,7 @@ class Runner {
     sum.solve += part.solve;
   }
 
-  /// The times of the whole are those of the first part that is not free.
+  /// The bracket of the whole step is that of its first part that is not free.
   void add(BenchmarkResult& sum, const BenchmarkResult& part, std::size_t i) const {
     if (i == 0) sum = {};
     const auto parts = static_cast<double>(ends_.size());

@@ -20,7 +20,8 @@ struct BenchmarkCase {
 
 /// A way of answering: the library, or what is compared with it.
 struct BenchmarkWay {
-  std::vector<std::pair<std::string, std::string>> columns;  ///< of the table, that tell it from the others
+  std::vector<std::pair<std::string, std::string>>
+      columns;  ///< name and value of the table's columns that tell this way from others
   std::function<Detector(const Mesh&, const Options&)> make_detector = [](const Mesh& mesh, const Options& options) {
     return Detector(mesh, options);
   };
@@ -34,8 +35,8 @@ struct BenchmarkSetup {
   int substeps = 20;          ///< of mode substeps
   Options options;
   int cold = 3;     ///< detectors made anew, each asked once
-  int warm_up = 1;  ///< questions to the last of them that are not counted
-  int repeat = 9;   ///< questions to it that are
+  int warm_up = 1;  ///< questions to the last of these detectors that are not timed
+  int repeat = 9;   ///< questions to that detector that are timed
 };
 
 struct BenchmarkResult {
@@ -59,7 +60,7 @@ const std::vector<std::string>& benchmark_modes();
 /// Throws InvalidOptions if there is no such question, mode or instruction set.
 BenchmarkResult measure(const BenchmarkCase& step, const BenchmarkSetup& setup);
 
-/// Do both say the same? A time may count only if they do.
+/// Do both give the same answer? A time may count only if they do.
 bool agree(const BenchmarkResult& a, const BenchmarkResult& b);
 
 /// One row of the table: flat, so that it is a row of a CSV file as well.

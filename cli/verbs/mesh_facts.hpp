@@ -1,4 +1,4 @@
-// What a mesh is, for a user who wonders.
+// Facts about a mesh for its user: counts of features, and the box.
 #pragma once
 #include <cstddef>
 #include <vector>

@@ -17,7 +17,7 @@ class MovingFrames {
 
   const std::vector<std::filesystem::path>& paths() const { return paths_; }
   const io::MeshFile& first() const { return first_; }
-  /// Reads frame i. Says on stderr what its reader should know, unless it is what was said of the first. Throws
+  /// Reads frame i. Prints its notes on stderr, except those that the first frame has, too. Throws
   /// io::FileError unless it has the topology of the first.
   std::vector<Point> read(std::size_t i) const;
 

@@ -17,7 +17,7 @@ struct StepRange {
   double scale = 1;
 };
 
-/// Calls f(end, part, step) for each, until it says false. `part` is counted from 1.
+/// Calls f(end, part, step) for each part of each step, until f returns false. `part` is counted from 1.
 template <class F>
 void for_each_step(const MovingFrames& frames, const StepRange& range, const F& f) {
   if (range.first >= range.last) return;
@@ -39,7 +39,7 @@ void for_each_step(const MovingFrames& frames, const StepRange& range, const F& 
   }
 }
 
-/// Calls f(SequenceStep) for each, with one detector. `own`: of each question.
+/// Asks one detector about each part and calls f(SequenceStep). `own`: options of each question.
 template <class F>
 void ask_steps(Detector& detector, const MovingFrames& frames, const StepRange& range, const QueryOptions& own,
                const F& f) {

@@ -10,7 +10,7 @@
 namespace tamis::cli {
 namespace {
 
-/// What became of the hierarchy. It stays as it was where all pairs had been listed ahead, and in method `brute`.
+/// What a step did to the hierarchy. It is unused if all pairs were listed ahead, and in method `brute`.
 const char* tree_of(const SequenceStep& step) {
   if (step.rebuilt) return "built";
   return step.seconds.build > 0 ? "refitted" : "unused";

@@ -1,4 +1,4 @@
-// What is said of a sequence of steps: a row each and totals, or one JSON object.
+// Prints the answers for a sequence of steps: a row each and totals, or one JSON object.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -23,10 +23,10 @@ class SequenceTable {
   SequenceTable(std::vector<std::filesystem::path> frames, int substeps, bool json);
 
   void print_head(const Mesh& mesh) const;
-  /// In order.
+  /// Steps come in order.
   void add(const SequenceStep& step);
   void print_totals(const Options& options, const Statistics& statistics, const StartCheck& start);
-  /// Every step that was added.
+  /// Is every step free that was added?
   bool is_free() const { return free_steps_ == steps_asked_; }
 
  private:

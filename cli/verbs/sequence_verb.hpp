@@ -28,7 +28,7 @@ class SequenceVerb : public Verb {
     detector_.check();
     own();
   }
-  /// Of each question. Throws InvalidOptions.
+  /// The options of each question. Throws InvalidOptions.
   QueryOptions own() const { return at_start_.own(); }
   Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
   double scale() const { return scale_.value(); }

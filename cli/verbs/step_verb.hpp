@@ -29,9 +29,9 @@ class StepVerb : public Verb {
   }
   virtual Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
   Options options_for(const Mesh& mesh) const { return detector_.options_for(mesh); }
-  /// For a mesh that nobody has as a whole.
+  /// The options where no one has the whole mesh.
   Options options() const { return detector_.options(); }
-  /// Of each question. Throws InvalidOptions.
+  /// The options of each question. Throws InvalidOptions.
   QueryOptions own() const { return at_start_.own(); }
   double scale() const { return scale_.value(); }
 

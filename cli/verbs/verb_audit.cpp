@@ -97,7 +97,7 @@ class Audit final : public Verb {
       if (!path.empty()) fmt::print("written to      {}\n", printable(path));
   }
 
-  /// What was found stands, whatever else could not be asked.
+  /// A contact or intersection decides, even if other frames could not be asked about.
   static int verdict(const audit::Report& report) {
     if (report.first_bad()) return kNo;
     if (report.ended_by) std::rethrow_exception(report.ended_by);

@@ -53,7 +53,7 @@ class IsFree final : public Verb {
   }
 
  private:
-  /// The frame at which the first step ends that is not free; none if all are.
+  /// The frame at the end of the first step that is not free; none if all are free.
   std::optional<std::size_t> ask(const MovingFrames& frames, Detector& detector, Timing& timing) const {
     std::optional<std::size_t> met;
     Progress progress(frames.paths().size() - 1, "steps");

@@ -63,7 +63,7 @@ class Scene final : public Verb {
   }
 
  private:
-  /// Of the files, not of the simulator's memory, and without its pair filter.
+  /// Checks the files, not the simulator's memory, and without the simulator's pair filter.
   int check(int frames) const {
     Progress progress(static_cast<std::size_t>(frames), "frames checked");
     int intersecting = 0;

@@ -20,7 +20,7 @@ io::MeshFile frame_of(const Mesh& mesh, const StepFiles& files, const std::vecto
   return {positions, {mesh.faces().begin(), mesh.faces().end()}, files.loose_edges, files.loose_points, {}};
 }
 
-/// How much of the way from start to end the vertices go, their ways added up.
+/// The sum of all vertices' ways to `to`, as a part of the sum of their ways to the end.
 double part_of_way(const Step& step, const std::vector<Point>& to) {
   double gone = 0, all = 0;
   for (Index v = 0; v < step.start.count(); ++v) {

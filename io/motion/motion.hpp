@@ -12,7 +12,7 @@ namespace tamis::io {
 /// What moves, where the caller knows it already.
 struct GivenMesh {
   std::shared_ptr<const audit::AuditedMesh> mesh = nullptr;  ///< for a point cache; null: from a mesh file
-  audit::Objects objects = {};                               ///< else those of what is read
+  audit::Objects objects = {};  ///< if `mesh` is null: the objects of the mesh that is read
 };
 
 /// The files that stand for a motion, in order.

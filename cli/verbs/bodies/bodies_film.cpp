@@ -32,7 +32,7 @@ Mesh one_mesh(const MovingBodies& bodies, const std::vector<Index>& first_vertic
   return io::mesh_of(std::move(all));
 }
 
-/// Of the present step.
+/// The motion of all bodies in the present step.
 RigidPath path_of(const MovingBodies& bodies) {
   std::vector<Point> rest, rest_end;
   std::vector<Index> body_of_vertex;

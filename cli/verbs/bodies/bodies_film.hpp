@@ -8,7 +8,7 @@
 
 namespace tamis::cli {
 
-/// All bodies stand in it as one mesh.
+/// Shows all bodies as one mesh.
 class BodiesFilm {
  public:
   /// `bodies` must live as long.
@@ -16,7 +16,7 @@ class BodiesFilm {
   BodiesFilm(const BodiesFilm&) = delete;
   BodiesFilm& operator=(const BodiesFilm&) = delete;
 
-  /// The present step of the bodies.
+  /// Adds the present step of the bodies.
   void add(std::size_t step, const std::vector<BodyContact>& contacts);
   /// Throws io::FileError.
   void write(const std::filesystem::path& to) const;

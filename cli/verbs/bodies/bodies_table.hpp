@@ -1,5 +1,5 @@
-// What is said of the steps of bodies: of one all, of several a row each and the first that is not free; or one JSON
-// object.
+// Prints the answers for the steps of bodies: a single step in full; several as a row each, and the first that is not
+// free; or one JSON object.
 #pragma once
 #include <optional>
 #include <vector>
@@ -16,9 +16,9 @@ class BodiesTable {
   BodiesTable(const MovingBodies& bodies, bool json) : bodies_(bodies), json_(json) {}
 
   void print_head() const;
-  /// In its place, of a start that does not pass. Returns the exit code.
+  /// Prints, in place of print_head(), that the start does not pass. Returns the exit code.
   int refuse(const StartCheck& start) const;
-  /// In order; `statistics` of the last question.
+  /// Steps come in order; `statistics` of the last question.
   void add(const std::vector<BodyContact>& contacts, const Statistics& statistics, const Timing& timing);
   void print_totals(const Options& options, const Statistics& statistics, const StartCheck& start, int repeat);
   bool is_free() const { return !first_; }

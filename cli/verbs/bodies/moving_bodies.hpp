@@ -13,27 +13,27 @@ namespace tamis::cli {
 
 class MovingBodies {
  public:
-  /// Makes step 1. Says on stderr what readers of its meshes should know. Throws io::FileError.
+  /// Begins at step 1. Prints the notes of its meshes on stderr. Throws io::FileError.
   explicit MovingBodies(const std::filesystem::path& path);
 
   std::size_t step_count() const { return file_.frame_count - 1; }
   std::size_t count() const { return names_.size(); }
   std::size_t count_of(bool moves, bool deforms) const;
   std::size_t triangle_count() const;
-  /// By their numbers in the world, as all that follows.
+  /// By the bodies' numbers in the world, as all functions below.
   const std::vector<std::string>& names() const { return names_; }
   const io::MeshFile& mesh_of(std::size_t body) const;
   const BodyMotion& motion_of(std::size_t body) const { return motions_[body]; }
   /// Every file that was, or will be read.
   std::vector<std::filesystem::path> inputs() const;
 
-  /// A world that makes the present step.
+  /// A world whose bodies make the present step.
   World world(const Options& options) const;
-  /// To the next step. Reads frames: throws io::FileError.
+  /// Moves the bodies of `world` on to the next step. Reads frames: throws io::FileError.
   void go_on(World& world);
 
  private:
-  /// In the present step; `start`: where a deforming body is.
+  /// The body's motion in the present step. `start`: where a deforming body is at t=0.
   BodyMotion motion_from(std::size_t body, std::vector<Point> start) const;
 
   std::filesystem::path path_;

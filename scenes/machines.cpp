@@ -12,7 +12,7 @@ Link standing(const Point& position, const Point& rotation = {0, 0, 0}) {
   return {{position, rotation}, {position, rotation}};
 }
 
-/// Of a closed polygon in the plane z = 0: walls of height 2 `half`, in triangles.
+/// Walls of height 2 `half` along a closed polygon in the plane z = 0, in triangles.
 Shape walls(const std::vector<Point>& corners, double half) {
   Shape shape;
   const auto count = static_cast<Index>(corners.size());
@@ -40,7 +40,7 @@ Shape gear(Index teeth) {
   return walls(corners, 0.25);
 }
 
-/// About z, with the radius 1, of a wire of radius `wire`.
+/// A ring of radius 1 about z, of a wire of radius `wire`.
 Shape ring(Index around, Index across, double wire) {
   Shape shape;
   for (Index i = 0; i < around; ++i)
@@ -68,7 +68,7 @@ Machine gear_train(Index count, Index teeth, double turn, bool is_jammed) {
   const double tooth = 2 * std::numbers::pi / teeth;
   for (Index i = 0; i < count; ++i) {
     const bool is_odd = i % 2 != 0;
-    // A tooth of even ones points at the next; in odd ones a gap does, on both sides.
+    // In even wheels a tooth points at the next wheel; in odd wheels a gap points at each neighbour.
     const double start = is_odd ? std::numbers::pi + tooth / 2 : 0;
     const double end = is_jammed && i == count - 1 ? start : start + (is_odd ? -turn : turn);
     const Point place{2.05 * i, 0, 0};

@@ -12,7 +12,7 @@ namespace tamis::scenes {
 
 struct MachinePart {
   std::size_t shape;  ///< of Machine::shapes
-  Link way;           ///< rotation vector and position linear; of what stands, the same at both ends
+  Link way;           ///< rotation vector and position are linear in time; a part that stands has the same at both ends
 };
 
 struct Machine {
@@ -27,12 +27,12 @@ Machine gear_train(Index count, Index teeth, double turn, bool is_jammed);
 /// A nut that turns and follows the thread of a bolt, `around` cells a turn; without following it if `is_jammed`.
 Machine nut_on_bolt(Index around, double turn, bool is_jammed);
 
-/// Rings, `side` x `side` flat ones, each linked with its neighbours by upright ones, all open to fall: the outermost
-/// are held, the others sag by `fall` and swing. Cells around a ring and around its wire: `around`, `across`.
+/// `side` x `side` flat rings, each linked with its neighbours by upright rings. The outermost flat rings are held; all
+/// others sag by `fall` and swing. Cells around a ring and around its wire: `around`, `across`.
 Machine chain_net(Index side, Index around, Index across, double fall);
 
-/// A block that flies through a tunnel little wider than itself, of `cells` x `cells` quads a side; it turns about its
-/// way by `turn`, of which the tunnel has room for some 0.01. Both lie askew.
+/// A block that flies through a tunnel little wider than itself, of `cells` x `cells` quads a side; it turns by `turn`
+/// about its direction of flight; the tunnel leaves room for about 0.01. Both lie askew.
 Machine tunnel(Index cells, double turn);
 
 }  // namespace tamis::scenes

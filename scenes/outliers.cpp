@@ -18,7 +18,7 @@ void add_triangle(Scene& scene, const std::array<Point, 3>& corners, const Point
   scene.faces.push_back({first, first + 1, first + 2});
 }
 
-/// Multiples of 2^-20, which floats do not hold there, while doubles hold their halves.
+/// Coordinates are multiples of 2^-20: floats cannot hold them at this distance; doubles hold even their halves.
 void add_fallen_triangles(Scene& scene, double d) {
   const auto in_plane = [&](double x, double z) { return 0x1p-20 * Point{x, -x, z} + Point{0, -d, 0}; };
   const Point a = in_plane(12345, 77777), b = in_plane(98765, 33333), c = in_plane(54321, 123457);
@@ -27,7 +27,7 @@ void add_fallen_triangles(Scene& scene, double d) {
   add_triangle(scene, {corner, corner + Point{0.1, 0.2, 0}, corner + Point{0.2, 0.1, 0.1}}, way);
 }
 
-/// A grid of so many edges a side: a plain where the scene is, slopes around it.
+/// A grid of `edges` edges a side: a plain under the scene, and slopes around it.
 void add_terrain(Scene& scene, Index edges, double d) {
   const Index first = scene.vertex_count();
   for (Index row = 0; row <= edges; ++row)

@@ -18,8 +18,8 @@ inline Point cross(const Point& a, const Point& b) {
 }
 inline Point unit(const Point& a) { return (1 / std::sqrt(dot(a, a))) * a; }
 
-/// Of x >= 1, within some units in the last place, and exact for cubes of whole numbers; libraries' differ among
-/// machines.
+/// The cube root of x >= 1, within some units in the last place, and exact for cubes of whole numbers; the cube roots
+/// of libraries differ among machines.
 inline double cube_root(double x) {
   double root = x;
   for (double next = (2 * root + x / (root * root)) / 3; next < root; next = (2 * root + x / (root * root)) / 3)
@@ -34,7 +34,8 @@ inline Point rotated(const Point& p, const Point& axis) {
   return p + (2 / norm) * (cross(axis, p) + cross(axis, cross(axis, p)));
 }
 
-/// The same with the axes exchanged, x for y for z: as hard, and nothing that a detector remembers of these fits.
+/// The points with the axes exchanged, x for y for z: as hard a question, and nothing that a detector remembers of
+/// `points` fits it.
 inline std::vector<Point> exchanged(std::vector<Point> points) {
   for (Point& p : points) p = {p[1], p[2], p[0]};
   return points;

@@ -14,7 +14,8 @@ struct ReducedScene {
 };
 
 /// About `triangles` triangles (at least a few); |q| = `length` at both ends, each in a random direction, so that the
-/// arms of the U, `kReducedArmGap` apart, meet from about twice that on. The modes move no vertex by more than |q|.
+/// arms of the U, `kReducedArmGap` apart, meet if `length` is about twice this gap or more. The modes move no vertex by
+/// more than |q|.
 ReducedScene reduced_sheet(Index triangles, std::uint64_t seed, double length);
 
 inline constexpr double kReducedArmGap = 0.15;

@@ -45,7 +45,7 @@ class CubeSurface {
   std::map<std::array<Index, 3>, Index> index_;
 };
 
-/// Its corners at +-cells.
+/// The cube's surface, with corners at +-cells.
 Shape lattice_cube(Index cells) {
   Shape shape;
   CubeSurface surface(shape, cells);

@@ -25,14 +25,14 @@ Shape unit_cube(Index cells);
 Shape unit_sphere(Index cells);
 
 /// A screw thread about the z axis, open at both ends, from z = 0 up: its rows follow the helix, so that crests are
-/// edges. A nut has the same thread in a larger radius. 2 turns around along triangles.
+/// edges. A nut has the same thread in a larger radius. 2 x turns x around x along triangles.
 struct Thread {
   Index turns, around, along;  ///< cells of a turn, and across the thread
   double radius, pitch, depth;
 };
 Shape thread(const Thread& of);
 
-/// One cell count for spheres or cubes such that about `count` of them make `triangles` triangles, within [1, most].
+/// The number of cells, in [1, most], with which about `count` spheres or cubes have `triangles` triangles in all.
 Index sphere_cells(Index triangles, Index count, Index most);
 
 /// Adds `shape` with its points moved by the two maps Point -> Point.

@@ -1,5 +1,5 @@
-// Closed spheres with bumps on a lattice, a little apart; the heap collapses towards its middle, each sphere flies and
-// turns at random besides, so that about half of the neighbours collide, each on a small cap.
+// Closed, bumpy spheres on a lattice, a little apart. The heap collapses towards its middle, and each sphere also flies
+// and turns at random: about half of the neighbours collide, each on a small cap.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Triangles that are none: each takes one degeneracy in turn. Corners lie on a coarse lattice of powers of two, so
+// Degenerate triangles: the degeneracies take turns. Corners lie on a coarse lattice of powers of two, so
 // that exact coincidences (equal points, collinear edges, coplanar faces) are common.
 #include <cmath>
 

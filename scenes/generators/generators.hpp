@@ -1,4 +1,5 @@
-// The makers behind the names of scene_list.hpp, one a file. The same size and seed give the same bits everywhere.
+// The functions that make the scenes of scene_list.hpp, one a file. The same size and seed give the same bits
+// everywhere.
 #pragma once
 #include <cstdint>
 

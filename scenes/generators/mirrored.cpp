@@ -1,5 +1,5 @@
-// Pairs of triangles that are mirror images in the plane x = 0, start and motion, on a lattice of powers of two. They
-// can only touch on the mirror: every contact is exact, and plain floating point loses a part of them.
+// Pairs of triangles whose starts and motions are mirror images in the plane x = 0, on a lattice of powers of two. The
+// two can only touch on the mirror: every contact is exact, and plain floating point loses some of these contacts.
 #include "scenes/generators/generators.hpp"
 #include "scenes/point_math.hpp"
 #include "scenes/random.hpp"

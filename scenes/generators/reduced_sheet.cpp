@@ -19,7 +19,7 @@ constexpr std::array<std::array<double, 2>, 3> kWaves{{{1, 0}, {2, 0}, {0, 1}}};
 constexpr Index kModes = 3 * static_cast<Index>(kWaves.size());
 constexpr double kUsualLength = 2.0;  ///< arms and sheet pass through each other for nearly every q
 
-/// The U at arc length s from the end of its lower arm.
+/// The point of the U at arc length s from the end of its lower arm, and at y across.
 Point place(double s, double y) {
   if (s < kArm) return {s, y, -kArmRadius};
   const double angle = (s - kArm) / kArmRadius;

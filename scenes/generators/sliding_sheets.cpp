@@ -1,5 +1,5 @@
 // Sheets that share one plane during the whole step, and slide in it. The plane itself rises. The coplanarity
-// polynomial of every pair is zero at all times: taken for "no contact", that is the classical miss.
+// polynomial of every pair is zero at all times: a method that takes this for "no contact" makes the classical miss.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ Scene sliding_sheets(Index triangles, std::uint64_t seed) {
   const Index side = std::max(Index{2}, static_cast<Index>(std::sqrt(triangles / (2.0 * kSheets))) + 1);
   Scene scene;
   Random random(seed);
-  // On a lattice of powers of two the slopes keep the plane exact.
+  // Slopes on a lattice of powers of two keep the plane exact.
   const double slope_x = random.on_lattice(4, 0.25), slope_z = random.on_lattice(4, 0.25),
                rise = random.on_lattice(4, 0.25);
   const auto in_plane = [&](double x, double z) { return Point{x, slope_x * x + slope_z * z, z}; };

@@ -1,4 +1,5 @@
-// Nothing moves: two sheets that cross, one that lies on a third vertex by vertex, and separate triangles between.
+// Nothing moves: two sheets that coincide at every second vertex, a third one that crosses them, and separate triangles
+// between.
 #include <algorithm>
 #include <cmath>
 

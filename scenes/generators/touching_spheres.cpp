@@ -52,7 +52,8 @@ Scene touching_spheres(Index triangles, std::uint64_t seed) {
   for (Index body = 0; body < bodies; ++body) {
     const Index row = body / 2, variant = (row + static_cast<Index>(seed % 6)) % 6;
     const bool is_even = body % 2 == 0;
-    // Variants 1 and 4 start a gap apart, to arrive at t=1 exactly, or to pass through at t=1/3.
+    // Variants 1 and 4 start a gap apart: the spheres touch exactly at t=1, or meet at t=1/3 and pass through each
+    // other.
     const double gap = variant == 1 || variant == 4 ? 0.5 : 0;
     const Point centre{is_even ? 0 : 2 + gap, 2.0 * (row % 3), 2.0 * (row / 3)};
     const Point flight = sphere_motion(variant, is_even, random);

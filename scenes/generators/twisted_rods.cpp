@@ -19,7 +19,7 @@ constexpr double kRodBump = 0.005;          // share of the radius
 constexpr double kRodPress = 0.03;          // how much nearer the centre lines are at t=1
 constexpr double kFurther = 0.01;           // share of half a turn
 
-/// A point of the square's rim with corners (+-1, +-1), `part` of the way round, from the middle of a side.
+/// A point on the rim of the square with corners (+-1, +-1), `part` of the way round from the middle of a side.
 Point on_square(double part) {
   const double along = std::fmod(8 * part + 1, 8);
   const int side = static_cast<int>(along / 2);
@@ -36,7 +36,7 @@ Point on_square(double part) {
   }
 }
 
-/// Turned about the x axis by an angle that grows along it, in all by `turn` half turns or nearly so.
+/// Turns p about the x axis by an angle that grows along the axis, in all by about `turn` half turns.
 Point twisted(const Point& p, double turn) { return rotated(p, {turn * (2 * p[0] - 1), 0, 0}); }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// What holds cloth together: edges, hinges, and tethers for what a few sweeps over the edges would not feel.
+// The constraints of cloth: edges, hinges, and tethers for pulls that a few sweeps over the edges would not carry far
+// enough.
 #include <Eigen/Geometry>
 #include <array>
 #include <map>
@@ -64,7 +65,7 @@ void Model::add_fabric(Index first, const Surface& sheet, const Fabric& fabric) 
   }
 }
 
-/// Gauss-Seidel carries a pull over one edge or so a sweep; tethers carry it 27 (long range attachments of Kim,
+/// In a sweep Gauss-Seidel carries a pull over about one edge; tethers carry it over 27 (long range attachments of Kim,
 /// Chentanez, Mueller 2012, between cloth and cloth). In a flat convex sheet the straight line is the shortest way.
 void Model::add_tethers(Index first, const Surface& sheet) {
   const Points rest = as_points(sheet.points);

@@ -14,7 +14,7 @@ struct Gas {
   double full_volume;    ///< cubic metres at which the pressure has fallen to zero
   double rise_time;      ///< seconds until the inflator gives its full pressure
 
-  /// One third of each triangle's force on each corner; the forces on a closed surface add up to zero.
+  /// Puts one third of each triangle's force on each corner; the forces on a closed surface add up to zero.
   void accelerate(Particles& particles, double time, double dt) const;
   double volume(const Points& position) const;
 };

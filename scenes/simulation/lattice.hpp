@@ -14,9 +14,9 @@ struct Lattice {
   std::vector<Index> tetrahedron_of_point;
 };
 
-/// Cubes, `cells` along the surface's longest side, that lie inside the surface or hold a point or a bit of it, each
-/// cut into six tetrahedra. Inside: the generalized winding number (Jacobson et al. 2013) of the centre is above one
-/// half, which no hole disturbs much.
+/// The cubes, `cells` along the surface's longest side, that lie inside the surface or hold one of its points or face
+/// centres, each cut into six tetrahedra. A cube lies inside if the generalized winding number (Jacobson et al. 2013)
+/// of its centre is above one half; holes disturb this test little.
 Lattice make_lattice(const Surface& surface, Index cells);
 
 /// How often the surface winds around a point; 1 inside a closed one seen counter-clockwise from outside.

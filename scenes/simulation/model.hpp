@@ -1,4 +1,4 @@
-// What there is to simulate: bodies, their materials, and the rules of the scene.
+// The model that is simulated: bodies, their materials, and the rules of the scene.
 #pragma once
 #include <vector>
 
@@ -53,7 +53,8 @@ struct Model {
   /// Obstacles may pass through each other and through themselves.
   PairFilter pair_filter() const { return PairFilter::no_static_pairs(object_of_vertex, is_obstacle); }
 
-  /// Each adds an object and returns its first vertex. Surfaces come before the nodes of solids.
+  /// Each adds an object and returns its first vertex. Add a solid last: all vertices of the mesh come before the nodes
+  /// of solids.
   Index add_obstacle(const Surface& surface, Obstacle::Path path);
   /// `sheet`: the same surface as cut from the cloth: flat and convex. Hinges folded there (seams) resist no bending.
   Index add_cloth(const Surface& surface, const Surface& sheet, const Fabric& fabric);

@@ -1,4 +1,4 @@
-// What a constraint moves: positions and inverse masses.
+// The particles that constraints move: positions, velocities and inverse masses.
 #pragma once
 #include "scenes/simulation/vectors.hpp"
 
@@ -12,7 +12,7 @@ struct Particles {
   Index count() const { return static_cast<Index>(position.cols()); }
 };
 
-/// Adds `mass` to what a particle weighs; a particle just made weighs nothing.
+/// Adds `mass` to the mass of a particle. A new particle has no mass yet: inverse mass 0.
 inline void add_mass(double& inverse_mass, double mass) {
   inverse_mass = inverse_mass > 0 ? 1 / (1 / inverse_mass + mass) : 1 / mass;
 }

@@ -61,8 +61,8 @@ void resume(const std::filesystem::path& folder, const std::string& name, Simula
   simulator.resume(*frame, points_from(body.substr(0, body.size() / 2)), points_from(body.substr(body.size() / 2)));
 }
 
-/// Refuses to write over frames that are not this run's. The state comes before the first frame that it is needed for:
-/// an interruption between the two must not make the run's own frames another's.
+/// Refuses to overwrite frames of another run. Writes a state before frame 1 is made: otherwise, after an interruption,
+/// the run would take its own frame 1 for another run's.
 void begin(const std::filesystem::path& folder, const std::string& name, const Simulator& simulator) {
   const std::filesystem::path other = frame_path(folder, 1);
   if (std::filesystem::exists(other))

@@ -1,4 +1,4 @@
-// The four scenes of the paper's laboratory, simulated: ours, since the original sequences are not to be had.
+// Our own simulations of the four scenes of the paper's laboratory, since the original sequences are not available.
 #pragma once
 #include <cstdint>
 #include <span>

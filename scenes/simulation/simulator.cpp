@@ -15,7 +15,7 @@ constexpr int kRepairRounds = 6;
 /// Passes over all contact constraints in a repair round.
 constexpr int kRepairPasses = 4;
 constexpr int kZoneRounds = 30;
-/// A substep is halved at most this often: below that, there is no way out.
+/// A substep is halved at most this often; if the smallest part fails, the simulation ends.
 constexpr int kHalvings = 8;
 
 Options options_of(const Model& model, double separation) {
@@ -86,7 +86,8 @@ void Simulator::resume(int frame, Points position, Points velocity) {
 void Simulator::advance() {
   effort_ = {};
   const double begin = frame_ * model_.frame_time, full = model_.frame_time / model_.substeps;
-  // Parts of a substep: halved until the path is free; counted in units of the smallest, so that no time is lost.
+  // A part of a substep is halved until its path is free. Parts are counted in units of the smallest, so that no time
+  // is lost.
   constexpr int kWhole = 1 << kHalvings;
   for (int done = 0, part = kWhole; done < model_.substeps * kWhole; ++effort_.substeps) {
     if (try_substep(begin + full * done / kWhole, full * part / kWhole)) {

@@ -13,7 +13,7 @@ namespace tamis::simulation {
 struct Effort {
   int substeps = 0;
   std::uint64_t touches = 0;        ///< contact constraints, over all substeps
-  std::uint64_t repairs = 0;        ///< rounds of constraints added by a failed proof
+  std::uint64_t repairs = 0;        ///< rounds in which contacts of a failed proof became constraints
   std::uint64_t zone_vertices = 0;  ///< vertices that had to move with an impact zone
 
   Effort& operator+=(const Effort& other);
@@ -25,7 +25,7 @@ class Simulator {
   /// Throws Error if the model's surfaces touch or pass through each other at the start.
   explicit Simulator(Model model);
 
-  /// One frame further. Throws Error if bodies are caught between obstacles that leave them no room.
+  /// Simulates the next frame. Throws Error if bodies are caught between obstacles that leave them no room.
   void advance();
 
   const Model& model() const { return model_; }
@@ -38,7 +38,7 @@ class Simulator {
  private:
   bool try_substep(double time, double dt);
   void predict(double time, double dt);
-  /// What comes closer than the thickness on the predicted path, except pairs that were so at the very start.
+  /// Pairs that come closer than the thickness on the predicted path, except pairs that were closer at the very start.
   std::vector<Touch> touches_near_path();
   void solve(const std::vector<Touch>& touches, double dt);
   /// True: the path from `start_` is proven free.

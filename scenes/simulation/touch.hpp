@@ -10,7 +10,7 @@ namespace tamis::simulation {
 struct Touch {
   std::array<Index, 4> vertices;
   Eigen::Vector4d weights;  ///< points * weights: from the second feature's point of contact to that of the first
-  Vec normal;               ///< that of the contact: along that gap when they come near
+  Vec normal;               ///< the contact's normal: along this gap when the features come near
   double gap;               ///< to be kept along the normal at the end of the step, metres
 };
 

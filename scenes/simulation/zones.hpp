@@ -15,7 +15,7 @@ class Zones {
 
   /// The four vertices of each contact, and all they are joined with already, become one zone.
   void join(const std::vector<Contact>& contacts);
-  /// Lets each zone go with the obstacle in it, or else where its momentum takes it. Motion i is that of the body i;
+  /// Moves each zone with the obstacle in it, or else as its momentum takes it. Motion i is that of the body i;
   /// `body_of_vertex`: -1 for vertices that belong to none. False, and nothing is moved, if a zone is caught between
   /// bodies that move differently.
   bool move(Particles& particles, const Points& start, const std::vector<Index>& body_of_vertex,

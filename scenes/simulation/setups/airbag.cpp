@@ -17,7 +17,7 @@ constexpr double kHubRadius = 0.075;
 /// A curve in the plane (x, z) by arc length: straight panels and half circles in turn, folded to and fro upwards.
 class Fold {
  public:
-  /// `clearance`: between the halves, and of a turn from the middle.
+  /// `clearance`: between the two halves, and between each inner turn and the middle.
   Fold(double turn_radius, double clearance) : radius_(turn_radius), panel_(kBase - turn_radius - clearance) {}
 
   /// Place at arc length s from the middle of the bag; `aside`: distance from the curve, upwards on the base panel.

@@ -82,8 +82,8 @@ bool is_free_of_intersections(const Surface& surface) {
   return !Detector(Mesh(count, surface.faces)).has_intersection({surface.points.front().data(), count});
 }
 
-/// Edge collapses know nothing of what is near: ears and chin may end up within each other. Of the sizes around the one
-/// asked for, the nearest at which they do not.
+/// Edge collapses do not look for intersections: ears and chin may pass through each other. Tries sizes around
+/// `triangles`, the nearest first, until the surface has no intersection.
 Surface decimated_without_intersections(const Surface& fine, Index triangles) {
   for (Index k = 0; k <= kSizesTried; ++k) {
     const Index change = (k + 1) / 2 * std::max(2, triangles / 100);
@@ -94,7 +94,7 @@ Surface decimated_without_intersections(const Surface& fine, Index triangles) {
               " triangles: choose another number");
 }
 
-/// `height` tall, standing a little above z = 0.
+/// The bunny scaled to `height`, standing `clearance` above z = 0.
 Surface placed(const Surface& bunny, double height, double clearance) {
   Eigen::AlignedBox3d bounds;
   for (const Vec& p : bunny.points) bounds.extend(p);

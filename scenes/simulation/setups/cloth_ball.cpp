@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kRadius = 0.5;
 constexpr double kClothSide = 3.0;
-constexpr double kClearance = 0.15;  ///< below the ball
+constexpr double kClearance = 0.15;  ///< between the floor and the ball
 constexpr double kSpinStart = 0.5;   ///< seconds: the cloth has fallen onto the floor
 constexpr double kSpinRise = 0.5;    ///< seconds
 constexpr double kSpin = 2.0;        ///< radians per second

@@ -14,7 +14,7 @@ struct Frame {
   std::string name;
   /// One a vertex of the mesh.
   std::vector<Point> positions;
-  /// The same object as that of the frame before if the topology is the same: else no step leads here.
+  /// The same object as in the frame before if the topology is the same; if it is another object, no step leads here.
   std::shared_ptr<const AuditedMesh> mesh;
   /// Why the frame cannot be used, as a sentence; it then needs no positions and no mesh.
   std::string problem = {};

@@ -28,13 +28,13 @@ class JsonValue {
   JsonValue member(const std::string& key) const;
   /// The keys of an object, sorted.
   std::vector<std::string> keys() const;
-  /// The elements of an array. `what` the array should be, for messages: "a list of bodies".
+  /// The elements of an array. `what`: what the array should be, for messages: "a list of bodies".
   std::vector<JsonValue> items(const char* what) const;
 
   std::string text() const;
   Index index() const;
   Point point() const;
-  /// An array of `count` numbers. `what` they mean, for messages: "x, y and z".
+  /// An array of `count` numbers. `what`: what they mean, for messages: "x, y and z".
   std::vector<double> numbers(std::size_t count, const char* what) const;
 
   /// Refuses every other key: a misspelled key would otherwise change the answer silently.

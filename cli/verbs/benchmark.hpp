@@ -20,8 +20,7 @@ struct BenchmarkCase {
 
 /// A way of answering: the library, or what is compared with it.
 struct BenchmarkWay {
-  std::vector<std::pair<std::string, std::string>>
-      columns;  ///< name and value of the table's columns that tell this way from others
+  std::vector<std::pair<std::string, std::string>> columns;  ///< of the table: name and value that tell it from others
   std::function<Detector(const Mesh&, const Options&)> make_detector = [](const Mesh& mesh, const Options& options) {
     return Detector(mesh, options);
   };

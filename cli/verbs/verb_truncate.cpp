@@ -1,4 +1,4 @@
-// tamis truncate: where a step may end, every vertex going its own way.
+// tamis truncate: where a step may end if each vertex goes its own part of its way.
 #include <fmt/format.h>
 
 #include <cmath>

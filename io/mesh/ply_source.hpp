@@ -35,7 +35,7 @@ class AsciiSource {
       : lines_(body, header.lines), name_(name) {}
 
   /// The smallest size of a row: a digit and a separator for each value. `bytes_left` adds the separator that the
-  /// file's last value lacks.
+  /// file's last value may lack.
   static std::uint64_t least_bytes(const PlyElement& element) { return 2 * element.properties.size(); }
   std::uint64_t bytes_left() const { return lines_.rest().size() + 1; }
 

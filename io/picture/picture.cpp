@@ -45,8 +45,7 @@ void write_picture(const std::filesystem::path& path, const Recording& recording
       image.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(options.width) +
                    static_cast<std::size_t>(column)] = pixel_at(scenery, options, column, row);
   });
-  if (!recording.pose && !recording.steps.front().contacts.empty())
-    draw_legend(image);  // the legend is of times, and a pose has none
+  if (!recording.pose && !recording.steps.front().contacts.empty()) draw_legend(image);  // of times: a pose has none
   write_png(path, image);
 }
 

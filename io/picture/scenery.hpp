@@ -32,7 +32,7 @@ class Scenery {
   Camera camera_;
   Drawing surfaces_;
   Drawing contacts_;
-  std::array<std::vector<Light>, 3> colours_;  ///< of what was drawn, by Hit::Shape
+  std::array<std::vector<Light>, 3> colours_;  ///< of the drawn elements, by Hit::Shape
   std::vector<Vector> contact_places_;
   std::vector<Light> contact_colours_;
 };

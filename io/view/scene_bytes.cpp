@@ -155,7 +155,7 @@ void add_pairs(const Recording& recording, Columns& columns) {
   pairs.write(columns);
 }
 
-/// In the order of their numbers.
+/// The kinds of pair, in the order of their numbers.
 Json kinds(const Recording& recording) {
   const Json edge_face{{"name", "ef"}, {"first", 2}, {"second", 3}};
   if (recording.pose) return Json::array({edge_face});
@@ -183,7 +183,7 @@ Json json_of(const RecordedStep& step) {
   return json;
 }
 
-/// As a step that stands still.
+/// The pose as a step that stands still.
 Json json_of(const RecordedPose& pose) {
   Json json{{"contacts", {{"ef", pose.intersections.size()}, {"unresolved", 0}}}};
   add_bracket(json, pose.intersections.empty(), 0, 0);

@@ -1,4 +1,4 @@
-// Every pair of features, no hierarchy and no filter but the decision itself: slow and plain, for tests.
+// Decides every pair of features, without hierarchy or filters: slow and plain, for tests.
 #include "lab/brute.hpp"
 
 #include <algorithm>
@@ -87,7 +87,7 @@ class BruteEngine final : public Engine {
   std::uint64_t memory_bytes() const override { return 0; }
 
  private:
-  /// keep(StepLimit) for every pair that ends the step.
+  /// Calls keep(StepLimit) for every pair that ends the step.
   template <class Keep>
   void for_each_limit(const Query& query, double fraction, Statistics& statistics, const Keep& keep) const {
     StageCount count{"near"};

@@ -1,4 +1,4 @@
-// The yardstick: every pair.
+// The tests' yardstick: an engine that decides every pair.
 #pragma once
 #include "query/engine.hpp"
 

@@ -1,4 +1,4 @@
-// A method that finds contacts, and leaves all other questions to the method `tamis`.
+// Base of the methods that find contacts alone: leaves all other questions to the method `tamis`.
 #pragma once
 #include "query/engine.hpp"
 

@@ -1,4 +1,4 @@
-// The paper's competitors by name: what each takes out of, or puts into, the published pipeline.
+// The paper's competitors by name: how each differs from the published pipeline.
 #include "lab/options.hpp"
 
 #include "detect/enum_names.hpp"

@@ -1,5 +1,4 @@
-// What the laboratory lets a caller choose beyond the library's options: the method, and the parts of the published
-// one.
+// The laboratory's options beyond the library's: the method, and the parts of the published method.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -12,8 +11,8 @@
 
 namespace tamis::lab {
 
-/// How pairs are found and culled. Every method returns the same set of contacts: all decide what their filters leave
-/// by the library's own decide().
+/// How pairs are found and culled. Every method returns the same set of contacts: the library's decide() decides the
+/// pairs that the method's filters leave.
 enum class Method : std::uint8_t {
   tamis,  ///< the library
   paper,  ///< the published NCF pipeline, to the letter
@@ -29,7 +28,7 @@ BoundingVolume bounding_volume_from_name(std::string_view name);
 std::string_view name_of(Method);
 std::string_view name_of(BoundingVolume);
 
-/// Patches of surface that are proven free of self-contact as a whole, before any pair of triangles.
+/// How patches of surface are proven free of self-contact as a whole, before pairs of triangles are tested.
 enum class HighLevelCulling : std::uint8_t {
   none,
   normal_cones,   ///< continuous normal cone, and a contour that does not meet itself
@@ -37,8 +36,8 @@ enum class HighLevelCulling : std::uint8_t {
   subspace,       ///< x = X + U q: q is too short for a self-contact; needs PaperOptions::reduced_model
 };
 
-/// Of Method::paper: the published system by default, its competitors by choice. The contacts are the same for every
-/// choice.
+/// Options of Method::paper. The defaults are the published system, other choices its competitors; all give the same
+/// contacts.
 struct PaperOptions {
   BoundingVolume bounding_volume = BoundingVolume::dop16;
   /// Filters by name, in the order in which they are tried: see filter_names().
@@ -47,18 +46,18 @@ struct PaperOptions {
   bool orphan_sets = true;
   /// false: a pair of features is tested in every pair of triangles that contains it.
   bool representative_triangles = true;
-  /// Not `none`: the hierarchy follows the connectivity of the mesh. Has no effect with a minimum separation.
+  /// If not `none`, the hierarchy follows the connectivity of the mesh. Has no effect with a minimum separation.
   HighLevelCulling high_level = HighLevelCulling::none;
-  /// For `subspace`, which has no effect without orphan sets; not changed while a detector uses it. Certificates are
-  /// made at the first question.
+  /// For `subspace`, which has no effect without orphan sets. Must not change while a detector uses it. Certificates
+  /// are made at the first question.
   std::shared_ptr<const ReducedModel> reduced_model = nullptr;
 };
 
 /// What PaperOptions::filters may name.
 std::vector<std::string_view> filter_names();
 
-/// The library's options and the method. No tamis::Options itself, or a Detector made of it would silently be one of
-/// the method `tamis`: make_detector (lab/detector.hpp) makes the right one.
+/// The library's options and the method, for make_detector (lab/detector.hpp). Does not convert to tamis::Options: a
+/// Detector made from those would silently use the method `tamis`.
 class Options : private tamis::Options {
  public:
   Options() = default;
@@ -66,7 +65,7 @@ class Options : private tamis::Options {
 
   using tamis::Options::filter;
   using tamis::Options::is_cancelled;
-  using tamis::Options::isa;  ///< paper and brute look for contacts in baseline
+  using tamis::Options::isa;  ///< methods paper and brute find contacts in baseline, whatever it says
   using tamis::Options::min_separation;
   using tamis::Options::radii;
   using tamis::Options::threads;
@@ -76,9 +75,9 @@ class Options : private tamis::Options {
   const tamis::Options& of_library() const { return *this; }
 };
 
-/// Sets `method` and `paper` from one name: that of a method, or "paper-" and that of a competitor: dnf, ncf (one
-/// alone), dnf-ncf (the published system), sat, pfs, r-triangles (no filter), no-orphans, no-representatives,
-/// normal-cones, star-contours (the published system below high-level culling).
+/// Sets `method` and `paper` from one name: a method's, or "paper-" and a competitor's. Competitors: dnf, ncf (that
+/// filter alone), dnf-ncf (the published system), sat, pfs, r-triangles (no filter), no-orphans, no-representatives,
+/// normal-cones, star-contours (the published system after that high-level culling).
 /// Throws InvalidOptions, naming the choices, if there is no such name.
 void choose_method(Options& options, std::string_view name);
 /// All names that choose_method understands.

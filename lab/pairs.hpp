@@ -1,5 +1,4 @@
-// Every pair of features there is, and which of them are pairs: those without a common vertex that the caller's filter
-// lets pass.
+// Enumerates the pairs of features of a mesh: those without a common vertex that the caller's filter lets pass.
 #pragma once
 #include "query/isolated.hpp"
 #include "query/pair_groups.hpp"
@@ -13,7 +12,7 @@ inline bool are_adjacent(PairKind kind, const PairVertices& v) {
   return v[0] == v[1] || v[0] == v[2] || v[0] == v[3];
 }
 
-/// The order of vertices that Contact documents; face winding is the mesh's.
+/// Puts the vertices into the order that Contact documents. A face keeps the mesh's winding.
 inline PairVertices in_contact_order(PairKind kind, PairVertices v) {
   if (kind == PairKind::edge_edge && std::array{v[2], v[3]} < std::array{v[0], v[1]}) {
     std::swap(v[0], v[2]);
@@ -23,13 +22,13 @@ inline PairVertices in_contact_order(PairKind kind, PairVertices v) {
   return v;
 }
 
-/// The caller's PairFilter. `v` in contact order.
+/// Does the caller's PairFilter let this pair pass? `v` in contact order.
 inline bool lets_pass(const PairFilter& filter, PairKind kind, const PairVertices& v) {
   if (has_groups(filter) && !may_touch(filter, v[0], v[second_feature(kind)])) return false;
   return !filter.accepts || isolated([&] { return filter.accepts(kind, v); });
 }
 
-/// Calls f(kind, vertices) for every pair of features that is one; vertices in contact order.
+/// Calls f(kind, vertices) for every such pair of features; vertices in contact order.
 template <class F>
 void for_each_pair(const Mesh& mesh, const PairFilter& filter, const F& f) {
   const auto offer = [&](PairKind kind, PairVertices v) {

@@ -7,8 +7,8 @@
 
 namespace tamis::lab {
 
-/// What high-level culling may know of a reduced-coordinate simulation. Steps need not name q: it is found from the
-/// positions, and what X + U q differs from them is bounded. Positions that are not of the model are legal; then
+/// The subspace of a reduced-coordinate simulation, for high-level culling. Steps need not give q: it is computed from
+/// the positions, and their distance from X + U q is bounded. Positions that are not of the model are legal; then
 /// nothing is culled. Sizes that do not fit the mesh, and entries that are not finite, make the detector throw
 /// InvalidOptions.
 struct ReducedModel {

@@ -1,4 +1,4 @@
-// The scene reduced-sheet with its model.
+// The scene reduced-sheet with its reduced model.
 #pragma once
 #include <memory>
 

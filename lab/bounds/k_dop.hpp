@@ -11,7 +11,7 @@
 
 namespace tamis::lab {
 
-/// 2 `axes` half-spaces, kept in float and rounded outward: what it bounds lies inside.
+/// 2 `axes` half-spaces, kept in float and rounded outward, so that they contain the feature.
 template <std::size_t axes>
 struct KDop {
   std::array<float, axes> lower, upper;
@@ -22,8 +22,8 @@ struct KDop {
     TAMIS_ASSERT(largest(point) < kLargestScaled);
     const Vec3<double> p0 = point.at0 - origin, p1 = point.at1 - origin;
     const double size = std::max(norm1(p0), norm1(p1)) + padding;
-    // Subtracting the origin and projecting round by less than 8 * 2^-53 size, the way to float by 2^-24 size, and
-    // the addition of this margin by 2^-24 (size + margin): below 2^-22 size in all. Underflow: the last term.
+    // Rounding: subtracting the origin and projecting, less than 8 * 2^-53 size; converting to float, 2^-24 size;
+    // adding this margin, 2^-24 (size + margin). Together below 2^-22 size; the last term covers underflow.
     const float margin = static_cast<float>(size) * 0x1p-22F + std::numeric_limits<float>::min();
     KDop box;
     for_each_axis<axes>([&](auto i) {
@@ -53,7 +53,7 @@ inline KDop<axes> merge(const KDop<axes>& a, const KDop<axes>& b) {
   return box;
 }
 
-/// False: apart during the whole step. No branches, so that it becomes a few SIMD comparisons.
+/// Returns false if the two are apart during the whole step. Without branches, to compile to a few SIMD comparisons.
 template <std::size_t axes>
 inline bool overlap(const KDop<axes>& a, const KDop<axes>& b) {
   unsigned apart = 0;

@@ -21,9 +21,9 @@ class MovingPoints {
 
   const Moving<double>& operator[](Index vertex) const { return points_[static_cast<std::size_t>(vertex)]; }
   Index count() const { return static_cast<Index>(points_.size()); }
-  /// A length of the step times this is a length here.
+  /// The power of two: times a length of the step, it gives a length here.
   double scale() const { return scale_; }
-  /// Middle of the box of all positions, near enough: bounds are kept relative to it.
+  /// Approximate middle of the box of all positions. Bounds are kept relative to it.
   const Vec3<double>& centre() const { return centre_; }
   std::uint64_t memory_bytes() const { return points_.capacity() * sizeof(points_[0]); }
 

@@ -12,8 +12,8 @@ struct NormalCone {
   Vec3<double> axis{0, 0, 1};
   double half_angle;
 
-  /// What every construction and merge adds to the angle: far above its rounding (double precision, and acos near 0
-  /// and pi, where it is off by about 1e-8).
+  /// Every construction and merge adds this to the angle. Far above the angle's rounding (double precision, and acos
+  /// near 0 and pi, where it is off by about 1e-8).
   static constexpr double kMargin = 1e-6;
 
   /// Of the triangle a b c. Everything if it may lose its area during the step.

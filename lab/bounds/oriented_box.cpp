@@ -30,7 +30,7 @@ OrientedBox fit(std::span<const Vec> points, double padding, double slack) {
     box.half[i] = 0.5 * (high - low) + padding + 2 * slack;
     box.centre = box.centre + 0.5 * (low + high) * box.axes[i];
   }
-  // Projections, their middle, and the centre built from it with skew axes.
+  // Covers the rounding of the projections and of their middle, and the error of the centre built along skew axes.
   for (double& half : box.half) half += 32 * OrientedBox::kSkew * (reach + half);
   return box;
 }
@@ -44,7 +44,7 @@ std::array<Vec, 8> corners(const OrientedBox& box) {
   return result;
 }
 
-/// Largest |L.(p - centre)| over the box, rounded up; the skew of the axes included.
+/// Largest |axis.(p - centre)| over the box, rounded up; allows for the skew of the box' axes.
 double radius_along(const OrientedBox& box, const Vec& axis, double axis_size) {
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) sum += box.half[i] * std::fabs(dot(axis, box.axes[i]));

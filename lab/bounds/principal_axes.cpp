@@ -41,7 +41,7 @@ std::array<Vec3<double>, 3> principal_axes(const SymmetricMatrix& m) {
     rotate(a, axes, 0, 2);
     rotate(a, axes, 1, 2);
   }
-  // The rotations keep the axes orthonormal to a few roundings each; this takes out what has added up.
+  // Each rotation keeps the axes orthonormal up to a few roundings; this removes the accumulated error.
   const Vec3<double> x = normalized({axes[0][0], axes[0][1], axes[0][2]}), y{axes[1][0], axes[1][1], axes[1][2]};
   const Vec3<double> z = normalized(cross(x, y));
   return {x, cross(z, x), z};

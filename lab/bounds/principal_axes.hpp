@@ -4,7 +4,8 @@
 
 namespace tamis::lab {
 
-/// Orthonormal up to a few roundings, whatever the matrix. Jacobi's rotations; not certified to be eigenvectors.
+/// Computed by Jacobi's rotations. Orthonormal up to a few roundings for every matrix; not certified to be
+/// eigenvectors.
 std::array<Vec3<double>, 3> principal_axes(const SymmetricMatrix& matrix);
 
 }  // namespace tamis::lab

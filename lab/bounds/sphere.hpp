@@ -1,4 +1,4 @@
-// Swept sphere: around the positions at both ends of the step, and so around all between.
+// Swept sphere: contains the positions at both ends of the step, and thus all between.
 #pragma once
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 namespace tamis::lab {
 
-/// Whatever the centre is rounded to, the radius is computed from it and rounded up.
+/// The radius is computed from the rounded centre, and rounded up.
 struct Sphere {
   Vec3<double> centre;
   double radius;

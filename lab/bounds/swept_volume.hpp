@@ -1,8 +1,8 @@
-// What the paper's hierarchy asks of a bounding volume V of moving features, over the whole step:
+// The interface that the paper's hierarchy needs of a bounding volume V of moving features, over the whole step:
 //   V::around(points, origin, padding)  bounds coordinates of MovingPoints, blown up by a Euclidean distance
-//   merge(a, b)                         bounds what either bounds
+//   merge(a, b)                         contains both
 //   overlap(a, b)                       false only if the two provably share no point, rounding included
-//   extent()                            a length: what the cost of a tree is measured by
+//   extent()                            a length, by which the cost of a tree is measured
 #pragma once
 #include <span>
 

@@ -32,7 +32,7 @@ void build_subtree(Centres centres, std::span<Index> triangles, std::vector<Inde
   }
   const int axis = longest_axis(centres, triangles);
   const std::size_t half = triangles.size() / 2;
-  // Ties go by index, so that the tree is the same on every machine.
+  // Equal centres are ordered by index, so that the tree is the same on every machine.
   std::nth_element(triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(half), triangles.end(),
                    [&](Index a, Index b) {
                      const double ca = component(centres[static_cast<std::size_t>(a)], axis);

@@ -15,7 +15,7 @@ class BinaryTree {
   /// Top-down: triangles are split at the median of the longest side of the box of their centres.
   void build(std::span<const Vec3<double>> centres);
 
-  /// The same, but each node splits its part of the given order in the middle.
+  /// Top-down: each node splits its part of the given order in the middle.
   void build_in_order(std::span<const Index> triangles);
 
   Index size() const { return static_cast<Index>(links_.size()); }

@@ -16,11 +16,11 @@ struct SubtreePair {
 template <class Volume>
 class SelfTraversal {
  public:
-  /// `free_within`: one flag a node whose inner pairs are to be left out; or empty.
+  /// `free_within`: for each node, whether to leave out its inner pairs; or empty.
   SelfTraversal(const BinaryTree& tree, const std::vector<Volume>& volumes, std::span<const std::uint8_t> free_within)
       : tree_(tree), volumes_(volumes), free_within_(free_within) {}
 
-  /// Disjoint parts that make up the whole, `wanted` or a few more of them unless the tree is small.
+  /// Splits the traversal into disjoint parts: `wanted` or a few more, fewer if the tree is small.
   std::vector<SubtreePair> parts(std::size_t wanted) const {
     std::deque<SubtreePair> open;
     std::vector<SubtreePair> done;
@@ -38,7 +38,7 @@ class SelfTraversal {
     return done;
   }
 
-  /// Calls on_pair(triangle, triangle); adds the tests of two bounds to `tested`.
+  /// Calls on_pair(triangle, triangle) for the pairs of the part; adds the number of overlap tests to `tested`.
   template <class OnPair>
   void visit(const SubtreePair& part, const OnPair& on_pair, std::uint64_t& tested) const {
     if (is_free_within(part)) return;
@@ -61,7 +61,7 @@ class SelfTraversal {
 
   const Volume& volume(Index node) const { return volumes_[static_cast<std::size_t>(node)]; }
 
-  /// Both nodes are opened at once: near self-contact most of the four pairs overlap.
+  /// Opens both nodes at once, as near self-contact most of the four pairs overlap.
   template <class Push>
   void split(const SubtreePair& part, const Push& push) const {
     const auto [a, b] = part;

@@ -32,7 +32,7 @@ std::array<double, 3> dot(const Moving2& a, const Moving2& b) {
 bool all_above(const std::array<double, 3>& k, double error) { return k[0] > error && k[1] > error && k[2] > error; }
 bool all_below(const std::array<double, 3>& k, double error) { return k[0] < error && k[1] < error && k[2] < error; }
 
-/// Two vectors that span the plane orthogonal to a unit vector, right-handed.
+/// Two vectors that span the plane orthogonal to the unit vector `n` and are right-handed with it.
 std::array<Vec3<double>, 2> plane_of(const Vec3<double>& n) {
   const Vec3<double> helper = std::fabs(n.x) < 0.6 ? Vec3<double>{1, 0, 0} : Vec3<double>{0, 1, 0};
   const Vec3<double> p = cross(helper, n);
@@ -55,10 +55,10 @@ void ProjectedContour::project(std::span<const Moving<double>> loop, const Vec3<
     points_.push_back({{dot(p, v.at0), dot(q, v.at0)}, {dot(p, v.at1), dot(q, v.at1)}});
     size = std::max(size, largest(v));
   }
-  // The projection is the one along p x q exactly, the centre any moving point. With u = 2^-53 and components of p and
-  // q up to 1: a coordinate is off by 3 (1 + 1) u + 6 u = 12 u size and below 3 size; a difference of two by 30 u size
-  // and below 6 size; a product of two differences by 2 * 6 * 30 u + 36 u = 396 u size^2, the four of a middle
-  // coefficient and their sums, each below 144 size^2, by 4 * 396 u + 3 * 144 u = 2016 u size^2.
+  // The errors are those of the exact projection along p x q; any moving point may be the centre. With u = 2^-53 and
+  // components of p and q up to 1: a coordinate is off by 3 (1 + 1) u + 6 u = 12 u size and below 3 size; a difference
+  // of two by 30 u size and below 6 size; a product of two differences by 2 * 6 * 30 u + 36 u = 396 u size^2; the four
+  // products of a middle coefficient and their sums, each below 144 size^2, by 4 * 396 u + 3 * 144 u = 2016 u size^2.
   slack_ = 0x1p-53 * 64 * size + 0x1p-1000;
   error_ = 0x1p-53 * 4096 * size * size + 0x1p-1000;
 }
@@ -69,7 +69,7 @@ bool ProjectedContour::proves_star_shaped() const {
     const Moving2 &a = points_[i], &b = points_[i + 1 < points_.size() ? i + 1 : 0];
     if (!all_above(cross(a, b), error_)) return false;
     // Every edge turns left around the centre, so the winding number is the number of edges that cross the positive
-    // x axis upwards; that holds for the points as rounded too, and exactly.
+    // x axis upwards. This holds for the rounded points too, and their comparisons are exact.
     turns += a.at0[1] <= 0 && b.at0[1] > 0 ? 1 : 0;
   }
   return turns == 1;

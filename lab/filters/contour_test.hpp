@@ -18,7 +18,7 @@ struct Moving2 {
 /// A closed moving polygon in the plane, relative to the mean of its points.
 class ProjectedContour {
  public:
-  /// Along the unit vector `axis`, give or take rounding. REQUIRES: at least three points.
+  /// Projects along the unit vector `axis`, up to rounding. REQUIRES: at least three points.
   void project(std::span<const Moving<double>> loop, const Vec3<double>& axis);
 
   /// Proves that the mean sees every edge turn the same way, once around (star contours: Schvartzman, Gascon, Otaduy
@@ -33,8 +33,8 @@ class ProjectedContour {
   bool edges_stay_apart(std::size_t i, std::size_t j) const;
 
   std::vector<Moving2> points_;
-  double error_ = 0;  ///< of a coefficient of a cross or dot product of two differences
-  double slack_ = 0;  ///< of a difference
+  double error_ = 0;  ///< bounds the error of a coefficient of a cross or dot product of two differences
+  double slack_ = 0;  ///< bounds the error of a difference
 };
 
 }  // namespace tamis::lab

@@ -1,4 +1,4 @@
-// The list of filters: a new one is its file and its name in `Filters`.
+// The list of filters. To add one: write its file, and name it in `Filters`.
 #pragma once
 #include <span>
 
@@ -17,8 +17,8 @@ struct FilterList {};
 
 using Filters = FilterList<Dnf, Ncf, NcfPublished, Sat, PfsLinear, PfsPlanar, SlabClip>;
 
-/// One filter as a stage over a block of pairs: keeps in `alive` (indices into `motions`) those it cannot prove free,
-/// in order, and returns how many they are.
+/// One filter as a stage over a block of pairs. It keeps in `alive` (indices into `motions`) the pairs that it cannot
+/// prove free, in order, and returns their number.
 struct FilterStage {
   using Cull = std::size_t (*)(const PairMotion<double>* motions, std::span<std::uint16_t> alive);
   std::string_view name;

@@ -1,7 +1,7 @@
-// Linear filter of PFS (Tang C., Li, Wang 2011): all relative positions lie strictly on one side of the origin on one
-// of eight lines, four or more of them at a time. Error bound: conversion to float and three roundings, below 8 * 2^-24
-// of the largest relative component. Cost: about 12 operations a relative position and register; for one pair at a time
-// only.
+// Linear filter of PFS (Tang C., Li, Wang 2011): proves a pair free if, projected on one of eight lines, all relative
+// positions lie strictly on one side of the origin. SIMD lanes hold four or more lines; pairs are tested one by one.
+// Error bound: conversion to float and three roundings, below 8 * 2^-24 of the largest relative component. Cost: about
+// 12 operations a relative position and register.
 #pragma once
 #include "lab/filters/subspaces.hpp"
 

@@ -1,9 +1,9 @@
-// Planar filter of PFS (Tang C., Li, Wang 2011): projected on one of eight planes, all relative positions lie in an
-// open half-plane that the origin bounds. The two outermost positions of the fan are found by cross products; the
-// direction halfway between them is then tested like an axis of the linear filter, so the search needs no error bound
-// of its own. Error bound: components in the plane are off by 4 * 2^-24, the direction has components up to 4, so the
-// test is off by 2 * 4 * 4 + 2 * 8 + 16 = 64 * 2^-24 of the largest relative component. Cost: about 25 operations a
-// relative position and register; for one pair at a time only.
+// Planar filter of PFS (Tang C., Li, Wang 2011): proves a pair free if, projected on one of eight planes, all relative
+// positions lie in an open half-plane whose boundary passes through the origin. Cross products find the two outermost
+// positions of the fan; the direction halfway between them is then tested like an axis of the linear filter, so the
+// search needs no error bound of its own. Error bound: components in the plane are off by 4 * 2^-24, the direction has
+// components up to 4, so the test is off by 2 * 4 * 4 + 2 * 8 + 16 = 64 * 2^-24 of the largest relative component.
+// Cost: about 25 operations a relative position and register; for one pair at a time only.
 #pragma once
 #include "lab/filters/subspaces.hpp"
 
@@ -53,8 +53,8 @@ struct PfsPlanar {
     }
     right = normalized(right);
     left = normalized(left);
-    // right + left vanishes for opposite vectors, the sum of their inner perpendiculars for equal ones: both together
-    // never do.
+    // right + left is 0 for opposite vectors, the sum of their inner perpendiculars is 0 for equal ones; the sum of
+    // both never is 0.
     return {right.u + left.u - right.v + left.v, right.v + left.v + right.u - left.u};
   }
 };

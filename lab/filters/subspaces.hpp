@@ -1,7 +1,7 @@
 // The eight subspaces of the parallel filters (PFS: Tang C., Li, Wang 2011), one a SIMD lane, and the relative
-// positions they are filtered in. A contact at some time puts the origin into the convex hull of the positions of the
-// one feature's points relative to the other's, at t=0 and at t=1: six vectors for VF, eight for EE.
-// We deviate: the paper's directions are not to be had; ours are the eight axes of the 16-DOP.
+// positions that are projected on them. If the features touch at some time, the origin lies in the convex hull of the
+// positions of one feature's points relative to the other's, at t=0 and at t=1: six vectors for VF, eight for EE.
+// We deviate: the paper's directions are not available; ours are the eight axes of the 16-DOP.
 #pragma once
 #include <array>
 #include <limits>
@@ -14,10 +14,10 @@ namespace tamis::lab::subspaces {
 
 using Lanes = xsimd::batch<float>;
 inline constexpr std::size_t kSubspaces = 8;
-/// Lanes of a register beyond the eight repeat them.
+/// Lanes beyond the eighth repeat the subspaces.
 inline constexpr std::size_t kEntries = Lanes::size > kSubspaces ? Lanes::size : kSubspaces;
 
-/// A vector a lane.
+/// One vector a lane: table[axis][lane] is a component.
 using Table = std::array<std::array<float, kEntries>, 3>;
 
 constexpr Table repeated(const std::array<std::array<float, 3>, kSubspaces>& vectors) {
@@ -59,7 +59,7 @@ inline Lanes project(const FloatVec& v, const Table& on, std::size_t first) {
          Lanes(v[2]) * Lanes::load_unaligned(&on[2][first]);
 }
 
-/// `relative` times the largest component of a relative position, and what float loses to underflow.
+/// `relative` times a bound of the relative positions' components, plus a bound of float's underflow.
 inline float error_bound(const PairMotion<double>& m, double relative) {
   return static_cast<float>(relative * (m.size_d + m.size_e + m.size_f)) + std::numeric_limits<float>::min();
 }

@@ -12,7 +12,8 @@ class Collector {
   Collector(const Mesh& mesh, Index face_count)
       : mesh_(mesh), triangles_(choose_representatives(mesh)), face_count_(face_count) {}
 
-  /// A lost pair has representatives that share a vertex: looking at those pairs of triangles finds all.
+  /// The two representatives of a lost pair share a vertex: so pairs of triangles that share one contain all lost
+  /// pairs.
   OrphanSets collect() {
     for (Index a = 0; a < static_cast<Index>(triangles_.size()); ++a)
       for_each_neighbour(a, [&](Index b) {

@@ -14,14 +14,15 @@ struct FeaturePairs {
 };
 
 struct OrphanSets {
-  /// Every pair of incident triangles shares a vertex: no tested pair of triangles contains the pair.
+  /// Pairs whose incident triangles share a vertex in every combination: no tested pair of triangles contains them.
   FeaturePairs orphans;
-  /// Only the two representatives share a vertex: lost if, and only if, each pair is tested with its representatives.
+  /// Pairs whose two representatives share a vertex, but not all incident triangles do: lost if, and only if, each pair
+  /// is tested in its representatives alone.
   FeaturePairs displaced;
 };
 
-/// Features without a common vertex. All incident triangles of an edge count, not two of them; a face represents
-/// itself. Faces from `face_count` on are no features (topology/surface.hpp).
+/// Collects pairs of features without a common vertex. Looks at all incident triangles of an edge, not just two; a face
+/// represents itself. Faces from `face_count` on are no features (topology/surface.hpp).
 OrphanSets collect_orphan_sets(const Mesh& mesh, Index face_count);
 
 }  // namespace tamis::lab

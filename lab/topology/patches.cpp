@@ -23,7 +23,7 @@ class PatchOrder {
  private:
   void split(std::span<Index> patch) {
     if (patch.size() < 3) return;
-    // From the last triangle of a first search: one at the rim, so that the first half is not cut off in the middle.
+    // Starts at the rim, from the last triangle of a first search, so that the first half is not cut out of the middle.
     const Index rim = search(patch, patch[0]);
     search(patch, rim);
     const std::size_t half = patch.size() / 2;
@@ -66,8 +66,8 @@ class PatchOrder {
   Index marks_ = 0;
 };
 
-/// Oriented sides with how often they stay after opposite ones have cancelled: key (smaller, larger vertex), positive
-/// from the smaller to the larger.
+/// Oriented sides, and how many of each remain after opposite ones have cancelled. The key is (smaller, larger vertex);
+/// the count is positive from the smaller to the larger.
 using EdgeChain = std::vector<std::pair<Edge, int>>;
 
 EdgeChain chain_of(const Face& face) {
@@ -96,7 +96,7 @@ EdgeChain sum(const EdgeChain& a, const EdgeChain& b) {
   return result;
 }
 
-/// The chain as one loop of vertices; empty if it is none.
+/// The chain as one loop of vertices; empty if it is not one loop.
 std::vector<Index> loop_of(const EdgeChain& chain) {
   std::vector<Edge> sides;  // from, to
   for (const auto& [edge, count] : chain) {

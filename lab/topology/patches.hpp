@@ -7,7 +7,7 @@
 namespace tamis::lab {
 
 /// Each half of the order, each half of a half, and so on, is a patch grown by breadth-first search: connected where
-/// the mesh lets it be. The upper half has the odd triangle.
+/// the mesh allows it. Of an odd number of triangles, the second half has one more.
 std::vector<Index> patch_order(const Mesh& mesh);
 
 /// For every patch of the nested halving of `order`, numbered depth-first as the nodes of a BinaryTree: the vertices of

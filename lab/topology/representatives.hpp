@@ -11,8 +11,8 @@ namespace tamis::lab {
 struct TriangleFeatures {
   Face vertices;
   std::array<Index, 3> edges;
-  std::uint8_t own_vertices, own_edges;  ///< those it represents
-  std::uint8_t all_vertices, all_edges;  ///< each once, also where the triangle is degenerate
+  std::uint8_t own_vertices, own_edges;  ///< the features that the triangle represents
+  std::uint8_t all_vertices, all_edges;  ///< all its features, each once even if the triangle is degenerate
 };
 
 /// The representative is the first incident triangle. REQUIRES (not checked: O(n)): every feature has one

@@ -5,8 +5,8 @@
 
 namespace tamis::lab {
 
-/// Where the file stands: beside the running program, wherever it was installed or copied to; in a build tree there is
-/// a copy. It may be missing.
+/// The path of the file, found from the running program, wherever that was installed or copied to. (A build tree has a
+/// copy.) The file may be missing.
 std::filesystem::path data_file(std::string_view name);
 
 }  // namespace tamis::lab

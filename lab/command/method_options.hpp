@@ -14,7 +14,7 @@ inline constexpr const char* kBoundingVolumeHelp =
     "of the paper's hierarchy and its competitors': sphere, aabb, obb, 16-dop (default), 18-dop or 26-dop; other "
     "methods have their own";
 
-/// The options `given`, of a method and a bounding volume by name. Throws InvalidOptions.
+/// The options `given`, with a method and a bounding volume by name. Throws InvalidOptions.
 inline Options options_of(const tamis::Options& given, const std::string& method, const std::string& bounding_volume) {
   Options options(given);
   choose_method(options, method);

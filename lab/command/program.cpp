@@ -12,7 +12,7 @@ namespace tamis::lab {
 namespace {
 
 int exit_code_of(pid_t child) {
-  constexpr int kOfSignals = 128;  // as shells have it
+  constexpr int kOfSignals = 128;  // as in shells
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
     if (errno != EINTR) return kNotStarted;
@@ -30,8 +30,8 @@ int run_quietly(std::vector<std::string> words) {
   posix_spawn_file_actions_addopen(&streams, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&streams, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_adddup2(&streams, STDERR_FILENO, STDOUT_FILENO);
-  // Ignored signals stay ignored in a child unless it is told otherwise; SIGXFSZ is
-  // (remove_unfinished_files_on_signals).
+  // A child inherits ignored signals. This program ignores SIGXFSZ (remove_unfinished_files_on_signals); the child gets
+  // the default.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t defaults;

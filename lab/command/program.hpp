@@ -1,4 +1,4 @@
-// Other programs, run without a shell.
+// Runs other programs, without a shell.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,9 +7,9 @@ namespace tamis::lab {
 
 inline constexpr int kNotStarted = -1;
 
-/// Runs `words`, the program and its arguments as they are, to its end; a name without a slash is looked for in PATH.
-/// It reads nothing, and what it prints goes nowhere. Returns its exit code, 128 and more if a signal ended it,
-/// kNotStarted if there is no such program.
+/// Runs `words`, a program and its arguments, and waits for its end. A name without a slash is looked for in PATH. The
+/// program's input is empty, its output discarded. Returns its exit code, 128 + the signal if a signal ended it,
+/// kNotStarted if it could not be started.
 int run_quietly(std::vector<std::string> words);
 
 }  // namespace tamis::lab

@@ -15,14 +15,14 @@ struct QueryScore {
   std::uint64_t labelled = 0;  ///< queries whose file gives the answer
   std::uint64_t contacts = 0;
   std::uint64_t false_positives = 0;
-  std::uint64_t false_positives_certified = 0;  ///< claimed to be proven, and wrong
+  std::uint64_t false_positives_certified = 0;  ///< false positives that were not reported as unresolved
   std::uint64_t false_negatives = 0;
   std::uint64_t unresolved = 0;
-  std::vector<double> nanoseconds;  ///< one a query
+  std::vector<double> nanoseconds;  ///< one entry a query
 
   void add(const SingleQuery& query, const PairResult& result);
   void add(const QueryScore& other);
-  /// Every answer keeps the promise: no contact missed, none claimed that is not there.
+  /// No contact was missed, and none was claimed to be certain that is not there.
   bool keeps_promise() const { return false_negatives == 0 && false_positives_certified == 0; }
 };
 

@@ -1,4 +1,4 @@
-// tamis-lab contacts: those of `tamis contacts`, found by another method.
+// tamis-lab contacts: `tamis contacts`, by a method of the caller's choice.
 #include "cli/verbs/contacts.hpp"
 #include "lab/command/method_options.hpp"
 #include "lab/command/verbs.hpp"

@@ -63,7 +63,7 @@ class Queries final : public cli::Verb {
     return paths;
   }
 
-  /// Scores by folder; the answers go to `out_`.
+  /// Returns scores by folder; writes the answers to `out_`, if that is not empty.
   std::map<std::string, QueryScore> answer_all(const std::vector<QueryFile>& files, const PairOptions& options) const {
     std::map<std::string, QueryScore> folders;
     std::vector<QueryResult> table;
@@ -78,7 +78,7 @@ class Queries final : public cli::Verb {
     return folders;
   }
 
-  /// The answers in the files are for distance zero: a pair that comes closer than D may be no contact there.
+  /// With a minimum separation, false positives cannot be told: the answers in the files are for distance zero.
   bool is_judged_positive() const { return min_separation_ == 0; }
 
   cli::Json json_of_score(const QueryScore& s) const {

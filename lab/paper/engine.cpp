@@ -1,5 +1,6 @@
-// The published pipeline (Du, Tang, Tong 2012): a binary hierarchy of swept k-DOPs over triangles, refitted every step;
-// triangle pairs without a common vertex, orphan sets for the rest; representative triangles; filters; interval Newton.
+// The published pipeline (Du, Tang, Tong 2012): a binary hierarchy of swept k-DOPs over triangles, refitted every step,
+// finds triangle pairs without a common vertex, and orphan sets add the other pairs of features; then representative
+// triangles, filters and interval Newton.
 #include "lab/paper/engine.hpp"
 
 #include <tbb/blocked_range.h>
@@ -28,8 +29,8 @@ std::vector<FilterStage> stages_by_name(const std::vector<std::string>& names) {
   return stages;
 }
 
-/// Without orphan sets the hierarchy's pairs of triangles with a common vertex matter, for which subspace certificates
-/// say nothing.
+/// The culling that is sound with these options. Without orphan sets, triangles with a common vertex are tested too,
+/// and subspace certificates say nothing about them.
 HighLevelCulling high_level_of(const PaperOptions& paper) {
   const bool needs_orphan_sets = paper.high_level == HighLevelCulling::subspace;
   const bool may_cull = paper.orphan_sets || !needs_orphan_sets;
@@ -72,8 +73,8 @@ class PaperEngine final : public ContactsEngine {
     Stopwatch watch;
     if (scene_.triangles.empty()) collect_topology();
     scene_.points.update(scene_.mesh, scene_.answer->query().step);
-    // Each of two features takes half of the fixed separation and the largest radius there is; the factor covers its
-    // own rounding. Scaled first: half of the smallest double is zero.
+    // Each of two features is padded by half of the fixed separation and by the largest radius; the factor covers the
+    // rounding of `padding`. Scales before it halves: half of the smallest double is zero.
     const Separations& separations = scene_.answer->query().separations;
     const double scale = scene_.points.scale();
     const double padding = (0.5 * (separations.fixed * scale) + separations.largest_radius() * scale) * (1 + 0x1p-50);
@@ -91,7 +92,7 @@ class PaperEngine final : public ContactsEngine {
     statistics.seconds.build += watch.lap();
   }
 
-  /// That a patch does not touch itself says nothing of distances.
+  /// Empty with a separation: the proofs are that a patch does not touch itself, not that it keeps a distance.
   std::span<const std::uint8_t> free_within() const {
     if (scene_.answer->query().separations.any()) return {};
     return patches_.free_within();
@@ -107,7 +108,8 @@ class PaperEngine final : public ContactsEngine {
     orphans_.ee.insert(orphans_.ee.end(), sets.displaced.ee.begin(), sets.displaced.ee.end());
   }
 
-  /// The hierarchy's pairs of triangles in parts, the orphans in chunks; a part ends with its blocks tested.
+  /// Visits the hierarchy's pairs of triangles in parts, and the orphans in chunks. Unless all contacts are asked for,
+  /// the blocks are tested after each part or chunk.
   template <class Traversal>
   void visit_all(const Traversal& traversal, Question question) {
     const auto run = [&](const auto& work) {
@@ -153,7 +155,8 @@ class PaperEngine final : public ContactsEngine {
     share_out(sum, seconds, statistics);
   }
 
-  /// The one pass is shared out as the threads' own sums are.
+  /// Splits the seconds of the one pass among filters, solver and traversal: sums over threads, divided by their
+  /// number.
   static void share_out(const PaperCounts& sum, double seconds, Statistics& statistics) {
     const double threads = std::max(1.0, double(statistics.threads));
     const double filter = sum.filter_seconds / threads, solve = sum.solve_seconds / threads;
@@ -162,7 +165,7 @@ class PaperEngine final : public ContactsEngine {
     statistics.seconds.traverse += std::max(0.0, seconds - filter - solve);
   }
 
-  /// Without representatives a pair is met several times: one contact a pair of features stays.
+  /// Without representative triangles a pair is found several times: keeps one contact for each pair of features.
   void drop_duplicates(std::vector<Contact>& contacts) const {
     using Key = std::tuple<PairKind, std::array<Index, 2>>;
     std::vector<std::pair<Key, Contact>> keyed;

@@ -1,12 +1,12 @@
-// The published pipeline.
+// The engine of Method::paper: the published pipeline.
 #pragma once
 #include "lab/detector.hpp"
 #include "query/engine.hpp"
 
 namespace tamis::lab {
 
-/// Keeps references: mesh and options must outlive it, and `counts` where it is not null. REQUIRES (not checked): a
-/// reduced model that fits the mesh where `paper` has one. Throws InvalidOptions: an unknown filter.
+/// Keeps references: mesh and options must outlive it, and `counts` if it is not null. REQUIRES (not checked): if
+/// `paper` has a reduced model, it fits the mesh. Throws InvalidOptions for an unknown filter.
 std::unique_ptr<Engine> make_paper_engine(const Mesh& mesh, const tamis::Options& options, const PaperOptions& paper,
                                           TriangleCounts* counts);
 

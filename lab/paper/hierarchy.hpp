@@ -17,8 +17,9 @@ namespace tamis::lab {
 template <class Volume>
 class PaperHierarchy {
  public:
-  /// Builds, or refits and builds anew where that has made the tree poor. Returns true if built.
-  /// `order`: of the triangles, to be halved again and again; empty: as their places tell.
+  /// Builds the tree the first time, then refits it, and rebuilds it if refitting has made it poor. Returns true if it
+  /// built. `order`: triangles in an order that each node halves; the tree is then never rebuilt. Empty: splits by
+  /// place.
   bool update(std::span<const Face> triangles, const MovingPoints& points, double padding,
               const std::vector<Index>& order) {
     const bool first = tree_.size() == 0;
@@ -45,7 +46,8 @@ class PaperHierarchy {
   std::uint64_t memory_bytes() const { return tree_.memory_bytes() + volumes_.capacity() * sizeof(Volume); }
 
  private:
-  /// Of the sum of the nodes' extents, the root's being 1: the nodes that a traversal visits grow with it.
+  /// Rebuilds if the sum of the nodes' extents, in units of the root's, grows by more than this factor: the number of
+  /// nodes that a traversal visits grows with that sum.
   static constexpr double kWorstGrowth = 2;
 
   void build(std::span<const Face> triangles, const MovingPoints& points) {

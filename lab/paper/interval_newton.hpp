@@ -1,7 +1,7 @@
 // Interval Newton on the coplanarity cubic, then the inside test at the root: the elementary test of the paper
 // (Du, Tang, Tong 2012; the solver is that of Snyder 1992 and Redon, Kheddar, Coquillart 2002).
-// Every interval of time is proven free of roots, or proven to hold a root at which the features touch, or given up:
-// that is left to narrow/decide.hpp.
+// Each interval of time is proven to hold no contact, or to hold a root at which the features touch; a pair with an
+// interval that is neither is unsure, and left to narrow/decide.hpp.
 #pragma once
 #include "filters/ncf.hpp"
 #include "motion/decision.hpp"
@@ -11,7 +11,8 @@
 
 namespace tamis::lab {
 
-/// Times of the step. `touches`: apart on [0, lower), touching at some time of [lower, upper], with weights and normal.
+/// Times of the step. If the verdict is `touches`: apart on [0, lower), touching at some time of [lower, upper], with
+/// weights and normal.
 template <class T>
 struct ElementaryTest {
   Verdict verdict = Verdict::is_free;
@@ -22,17 +23,17 @@ struct ElementaryTest {
 
 namespace interval_newton {
 
-/// Part of the step below which nothing is cut in two any more.
+/// Intervals shorter than this part of the step are not cut in two.
 inline constexpr double kShortest = 0x1p-20;
 /// Evaluations for one pair; ordinary pairs need 3 to 12.
 inline constexpr int kMaxEvaluations = 96;
 inline constexpr std::size_t kMaxDepth = 32;
-/// What the value of the cubic at a time in [0,1] is off by, as the bounds in numerics/error_bounds.hpp: its
-/// coefficients' errors weighted by (1-t)^(3-i) t^i, at most kCoplanarityEnd + kCoplanarityMiddle / 4 = 320 u;
-/// evaluation on |K0|,|K3| <= 6, |K1|,|K2| <= 18: below 12 * 10.5 = 126 u.
+/// Error bound of the cubic's value at a time in [0,1], in the form of those in numerics/error_bounds.hpp. Its
+/// coefficients' errors, weighted by (1-t)^(3-i) t^i: at most kCoplanarityEnd + kCoplanarityMiddle / 4 = 320 u.
+/// Evaluation, with |K0|,|K3| <= 6 and |K1|,|K2| <= 18: below 12 * 10.5 = 126 u.
 inline constexpr double kCoplanarityValue = 450;
 
-/// Empty (lower > upper) if they have nothing in common.
+/// Empty (lower > upper) if the two have no common point.
 template <class T>
 inline BasicInterval<T> intersection(const BasicInterval<T>& a, const BasicInterval<T>& b) {
   BasicInterval<T> common;
@@ -41,7 +42,7 @@ inline BasicInterval<T> intersection(const BasicInterval<T>& a, const BasicInter
   return common;
 }
 
-/// The cubic with its certified enclosures at, and over, times in [0,1].
+/// The coplanarity cubic, with certified enclosures of its value at a time and of its slope over an interval in [0,1].
 template <class T>
 class Cubic {
  public:
@@ -75,7 +76,7 @@ class Cubic {
   T value_error_, slope_error_;
 };
 
-/// Where the roots of one part of the step are, as far as one descent can tell.
+/// The result of one descent: an interval, and what is proven about the cubic's roots in it.
 template <class T>
 struct Part {
   BasicInterval<T> time;
@@ -83,7 +84,7 @@ struct Part {
   bool has_no_root = false;  ///< proven
 };
 
-/// Intervals of time still to be looked at, the earliest on top.
+/// Intervals of time that are still to be searched, the earliest on top.
 template <class T>
 class TimeStack {
  public:
@@ -118,7 +119,7 @@ inline Part<T> descend(const Cubic<T>& cubic, const BasicInterval<T>& time, Time
     const I next = intersection(part.time, newton);
     part.has_no_root = !(next.lower <= next.upper);
     if (part.has_no_root) return part;
-    // Newton's image inside the interval: exactly one root, because the cubic is monotone there.
+    // If Newton's image lies inside the interval, that holds exactly one root, because the cubic is monotone there.
     part.holds_root |= newton.lower >= part.time.lower && newton.upper <= part.time.upper;
     const bool converged = value.may_be_zero() && next.width() > T(0.5) * part.time.width();
     part.time = next;
@@ -152,7 +153,7 @@ inline ElementaryTest<T> interval_newton_test(const PairMotion<T>& m) {
     if (sides.outside) continue;
     const BasicInterval<T>& time = part.time;
     if (part.holds_root && sides.inside) {
-      // The cubic is monotone here. It rises where a vertex comes from below, and an edge from above.
+      // The cubic is monotone here: it rises if a vertex comes from below, and if an edge comes from above.
       const bool is_from_above = (cubic.slope(time).upper < T(0)) == (kind == PairKind::vertex_face);
       return {Verdict::touches, time.lower, time.upper, sides.u, sides.v, is_from_above ? normal : -normal};
     }

@@ -11,8 +11,8 @@
 namespace tamis::lab {
 namespace {
 
-/// Half angle up to which all normals face the axis; what is left to the right angle is far above the rounding of the
-/// axis and the projection along it.
+/// Half angle up to which all normals face the axis. The margin to the right angle is far above the rounding of the
+/// axis and of the projection along it.
 constexpr double kWidestCone = std::numbers::pi / 2 - 1e-3;
 
 }  // namespace
@@ -45,7 +45,8 @@ void PatchCulling::update_cones(const BinaryTree& tree, const MovingPoints& poin
   refit(tree, cone_of, cones_);
 }
 
-/// Positions move on straight lines, so do q and what they differ from X + U q by: both are longest at an end.
+/// Positions move on straight lines, and so do q and the residual x - (X + U q): both are largest at an end of the
+/// step.
 void PatchCulling::update_norm(const BinaryTree& tree, const Step& step) {
   if (!certificates_) certificates_.emplace(tree, mesh_.faces(), *model_);
   norm_ = 0;

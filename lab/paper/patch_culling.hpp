@@ -1,6 +1,6 @@
-// High-level culling: whole patches of surface that are proven free of self-contact during the step, by a continuous
-// normal cone and a contour test (Tang, Curtis, Yoon, Manocha 2009; star contours: Schvartzman, Gascon, Otaduy 2010),
-// or, if the mesh moves in a subspace, by the length of its coordinates (Barbic, James 2010).
+// High-level culling: proves whole patches of surface free of self-contact during the step, by a continuous normal cone
+// and a contour test (Tang, Curtis, Yoon, Manocha 2009; star contours: Schvartzman, Gascon, Otaduy 2010), or, if the
+// mesh moves in a subspace, by the length of its coordinates (Barbic, James 2010).
 // Pairs of triangles within such a patch need no test; pairs between patches do.
 #pragma once
 #include <optional>
@@ -18,23 +18,23 @@ namespace tamis::lab {
 
 class PatchCulling {
  public:
-  /// Collects nothing if `method` is none. Mesh and model must outlive it. `model`: for `subspace` only, validated.
+  /// Does nothing if `method` is none. Mesh and model must outlive it. `model`: for `subspace` only, validated.
   PatchCulling(const Mesh& mesh, HighLevelCulling method, const ReducedModel* model);
 
-  /// The order of triangles from which the hierarchy must be built; empty: any.
+  /// The order of triangles from which the hierarchy must be built; empty if any will do.
   const std::vector<Index>& order() const { return order_; }
 
-  /// Proves what it can of the nodes, from the root down. REQUIRES: a tree of as many triangles as `order()`. REQUIRES
-  /// (not checked: O(n)): built in that order.
+  /// Tries to prove nodes free, from the root down. REQUIRES: a tree of as many triangles as `order()`. REQUIRES (not
+  /// checked: O(n)): built in that order.
   void update(const BinaryTree& tree, const MovingPoints& points, const Step& step);
 
-  /// One flag a node: its triangles are proven free of contact among each other. Empty if there is no culling.
+  /// For each node, whether its triangles are proven free of contact with each other. Empty if there is no culling.
   const std::vector<std::uint8_t>& free_within() const { return free_within_; }
   std::uint64_t triangles_in_free_patches() const { return triangles_in_free_patches_; }
   std::uint64_t memory_bytes() const;
 
  private:
-  /// Smaller patches are tested faster than proven.
+  /// Smaller patches are not worth a proof: testing them is faster.
   static constexpr std::size_t kSmallest = 16;
 
   void update_cones(const BinaryTree& tree, const MovingPoints& points);
@@ -53,7 +53,7 @@ class PatchCulling {
   ProjectedContour contour_;
   std::optional<PoseFinder> pose_finder_;
   std::optional<SubspaceCertificates> certificates_;
-  double norm_ = 0;  ///< of q during the step, at most; infinite where the step is not of the model
+  double norm_ = 0;  ///< upper bound of |q| during the step; infinite if the step is not of the model
   std::vector<std::uint8_t> free_within_;
   std::uint64_t triangles_in_free_patches_ = 0;
 };

@@ -10,7 +10,8 @@
 namespace tamis::lab {
 namespace {
 
-/// Added to the diagonal of U^T U, relative to its trace: dependent columns share what they could each do.
+/// Added to the diagonal of U^T U, relative to its trace, so that dependent columns of U leave it regular: they share
+/// the motion that each of them could make.
 constexpr double kRidge = 1e-12;
 
 }  // namespace
@@ -62,7 +63,7 @@ void PoseFinder::solve(std::vector<double>& b) const {
 
 ReducedPose PoseFinder::pose_of(Positions x) const {
   std::vector<double> q(at(model_.modes), 0.0);
-  constexpr int kRefinements = 2;  // the first solves, the second takes back what the ridge and the rounding did
+  constexpr int kRefinements = 2;  // the first solves, the second corrects the errors of ridge and rounding
   for (int i = 0; i < kRefinements; ++i) {
     std::vector<double> change = project(x, q);
     solve(change);
@@ -74,7 +75,7 @@ ReducedPose PoseFinder::pose_of(Positions x) const {
 }
 
 /// A sum of r products and two more terms is off by less than (r + 2) u (1 + tiny) times the sum of the absolute
-/// values; twice that also covers the rounding of the bound itself. Products that underflow: 2^-1075 each.
+/// values; twice that also covers the rounding of the bound itself. A product that underflows adds at most 2^-1075.
 double PoseFinder::residual(Positions x, const std::vector<double>& q) const {
   const std::size_t r = q.size();
   const double factor = static_cast<double>(r + 4) * 0x1p-52;
@@ -90,7 +91,7 @@ double PoseFinder::residual(Positions x, const std::vector<double>& q) const {
         sizes += std::fabs(term);
       }
       const double error = std::fabs(sum) + factor * sizes;
-      if (!(error <= largest)) largest = error;  // NaN stays: no comparison with it holds
+      if (!(error <= largest)) largest = error;  // keeps NaN, for which no comparison holds
       if (largest != largest) return largest;
     }
   return largest + static_cast<double>(r + 4) * std::numeric_limits<double>::denorm_min();

@@ -1,4 +1,4 @@
-// Where a step is in a reduced model: how long its coordinates q are, and how far its positions are from X + U q.
+// Where a pose is in a reduced model: how long its coordinates q are, and how far its positions are from X + U q.
 #pragma once
 #include <vector>
 
@@ -6,13 +6,13 @@
 
 namespace tamis::lab {
 
-/// Bounds that hold for the exact values. Not finite or NaN if nothing can be said.
+/// Upper bounds, rounding included. Infinite or NaN if there is no bound.
 struct ReducedPose {
-  double norm;      ///< Euclidean length of q, at most
-  double residual;  ///< largest |component| of x - (X + U q), at most
+  double norm;      ///< bounds the Euclidean length of q
+  double residual;  ///< bounds the largest |component| of x - (X + U q)
 };
 
-/// Finds q by least squares; what it finds is verified, so that any q is sound.
+/// Finds q by least squares, then bounds its residual: so the bounds are sound for any q.
 class PoseFinder {
  public:
   explicit PoseFinder(const ReducedModel& model);
@@ -27,7 +27,7 @@ class PoseFinder {
   double residual(Positions x, const std::vector<double>& q) const;
 
   const ReducedModel& model_;
-  std::vector<double> factor_;  ///< Cholesky factor of U^T U + a little, lower triangle, r x r
+  std::vector<double> factor_;  ///< Cholesky factor of U^T U plus a ridge, lower triangle, r x r
 };
 
 }  // namespace tamis::lab

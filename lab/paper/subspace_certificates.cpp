@@ -13,8 +13,8 @@
 namespace tamis::lab {
 namespace {
 
-/// Of the largest side of the rest pose's box: far above the rounding of positions, even of floats, far below gaps that
-/// matter.
+/// The allowance, relative to the largest side of the rest pose's box: far above the rounding of positions, even of
+/// floats, and far below gaps that matter.
 constexpr double kAllowance = 0x1p-20;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -22,7 +22,7 @@ using Direction = Vec3<double>;
 
 double size_of(const Direction& n) { return std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z); }
 
-/// Unlike std::min and std::max they keep NaN, which overflow leaves: then nothing is proven.
+/// Unlike std::min and std::max, both return NaN if one argument is. Overflow leaves NaN, and then nothing is proven.
 double lesser(double a, double b) { return a <= b ? a : b < a ? b : a + b; }
 double greater(double a, double b) { return a >= b ? a : b > a ? b : a + b; }
 
@@ -34,15 +34,15 @@ double largest_difference(const Interval& a, const Interval& b) {
   return greater(std::fabs(difference.lower), std::fabs(difference.upper));
 }
 
-/// n.(x, y, z): three products and two sums are off by less than 3.1 u times the sum of absolute values, the bound's
-/// own rounding included by less than 8 u.
+/// n.(x, y, z). Three products and two sums are off by less than 3.1 u times the sum of absolute values, or 8 u with
+/// the bound's own rounding.
 Interval along(const Direction& n, double x, double y, double z) {
   const double a = n.x * x, b = n.y * y, c = n.z * z, sum = a + b + c;
   const double error = 0x1p-50 * (std::fabs(a) + std::fabs(b) + std::fabs(c)) + 0x1p-1060;
   return {sum - error, sum + error};
 }
 
-/// What a direction sees of a set of vertices: rest positions, then one interval a mode.
+/// A set of vertices projected on a direction: the interval of their rest positions, then one interval for each mode.
 using Slab = std::vector<Interval>;
 
 class Builder {
@@ -92,7 +92,7 @@ class Builder {
     return slab;
   }
 
-  /// The least of `best` and the norms of all pairs of triangles between two nodes.
+  /// The least of `best` and of the certified norms of all pairs of triangles between two nodes.
   double least_between(Index a, Index b, double best) const {
     if (!(best > 0)) return 0;
     double apart = 0;
@@ -108,7 +108,7 @@ class Builder {
     return best;
   }
 
-  /// Below this |q| the direction keeps the two sets apart. 0 if it does not at rest.
+  /// For |q| below this, n separates the two sets. 0 if n does not separate them at rest.
   double norm_to_close(const Slab& a, const Slab& b, const Direction& n) const {
     const double gap = left_of(greater((b[0] - a[0]).lower, (a[0] - b[0]).lower), n);
     if (!(gap > 0)) return 0;
@@ -119,7 +119,7 @@ class Builder {
 
   static Interval square(double a) { return Interval(a) * Interval(a); }
 
-  /// Of a gap along n, without what the residual may take.
+  /// A gap along n, less what the residual may take of it.
   double left_of(double gap, const Direction& n) const {
     return (Interval(gap) - Interval(allowance_) * Interval(rounding::above(rounding::above(size_of(n))))).lower;
   }
@@ -132,7 +132,7 @@ class Builder {
     return result > 0 ? result : 0;
   }
 
-  /// The same, for triangles: the best of many directions, the first that reaches `enough`.
+  /// norm_to_close for two triangles: the best over many directions. Stops at a direction that reaches `enough`.
   double norm_to_touch(Index s, Index t, double enough) const {
     const Face &a = triangles_[at(s)], &b = triangles_[at(t)];
     if (share_a_vertex(a, b)) return kInfinity;
@@ -144,7 +144,7 @@ class Builder {
     return best;
   }
 
-  /// The least gap and the greatest approach, each over all pairs of vertices.
+  /// The norm from the least gap and the greatest approach, each over all pairs of vertices.
   double norm_along(const Face& a, const Face& b, const Direction& n) const {
     std::array<Slab, 3> of_a, of_b;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -164,7 +164,7 @@ class Builder {
     return gap > 0 ? quotient(gap, squares) : 0;
   }
 
-  /// Rounded, to save the work: true only if the rest pose has a gap along n.
+  /// A quick test, with rounding: is there a gap along n in the rest pose? Only saves work.
   bool may_separate(const Face& a, const Face& b, const Direction& n) const {
     double a_low = kInfinity, a_high = -kInfinity, b_low = kInfinity, b_high = -kInfinity;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -177,8 +177,9 @@ class Builder {
     return b_low > a_high || a_low > b_high;
   }
 
-  /// Axes that separate two triangles if any does: normals, edge cross products, in-plane normals of the edges; and the
-  /// axes, along which modes often do nothing.
+  /// Directions to try: normals, cross products of edges and in-plane normals of edges, one of which separates two
+  /// triangles if any direction does; the direction between their centres; and the coordinate axes, along which modes
+  /// often do nothing.
   std::vector<Direction> directions(const Face& a, const Face& b) const {
     std::array<Direction, 3> e, f;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -125,7 +125,7 @@ void PaperTester::test(Block<kind>& block) {
   std::span alive = std::span(pairs).first(block.size);
   of(counts.boxes, kind) += alive.size();
   Stopwatch watch;
-  // A filter's strict signs say that features do not touch, not that they keep a distance.
+  // A filter proves that features do not touch, not that they keep a distance.
   if (!scene_.answer->query().separations.any()) alive = alive.first(run_filters(block, alive));
   counts.filter_seconds += watch.lap();
   for (const std::uint16_t pair : alive) solve(block, pair);

@@ -1,5 +1,5 @@
-// What happens to a pair of features once the paper's hierarchy has found it: swept boxes of the features, filters,
-// interval Newton, and what that leaves open, decide(). Pairs are taken in blocks, stage by stage. One per thread.
+// Tests the pairs of features that the paper's hierarchy finds: swept boxes of the features, filters, interval Newton,
+// and decide() for pairs that are still undecided. Takes pairs in blocks, stage by stage. Each thread has one tester.
 #pragma once
 #include "lab/bounds/feature_boxes.hpp"
 #include "lab/filters/filters.hpp"
@@ -11,7 +11,7 @@
 
 namespace tamis::lab {
 
-/// What all threads read.
+/// The data that all threads read.
 struct PaperScene {
   const tamis::Options& options;
   const PaperOptions& paper;
@@ -21,10 +21,10 @@ struct PaperScene {
   std::vector<FilterStage> stages;
   MovingPoints points;
   FeatureBoxes boxes;
-  const ContactCollector* answer = nullptr;  ///< the question, and what is known of its answer
+  const ContactCollector* answer = nullptr;  ///< holds the query and its bound
 };
 
-/// Pairs that enter each part, and the seconds it took. The boxes are in `boxes`, then one count a filter.
+/// Numbers of the pairs that enter each stage, and seconds. `boxes`: pairs whose boxes meet; `filters`: one count each.
 struct PaperCounts {
   StageCount boxes{"boxes"}, newton{"newton"}, decide{"decide"};
   std::vector<StageCount> filters;
@@ -40,19 +40,20 @@ class PaperTester {
  public:
   explicit PaperTester(const PaperScene& scene);
 
-  /// The features of two triangles against each other. Cheap to call: see `flush`.
+  /// Adds the pairs of features of two triangles to the blocks. A block that is full is tested.
   void add_triangles(Index a, Index b);
   void add_vertex_face(Index vertex, Index face);
-  /// Two of the degenerate triangles that stand for loose edges and points.
+  /// Decides the pair of loose features that two degenerate triangles stand for, unless both are edges.
   void add_loose(Index a, Index b);
   void add_edges(Index edge0, Index edge1);
-  /// Tests what still waits in the blocks.
+  /// Tests the pairs that are still in the blocks.
   void flush();
-  /// A new question; keeps the memory.
+  /// Begins a new question; keeps the memory.
   void begin();
 
   ContactCollector found;
-  /// Of all contacts, the features of each, so that duplicates can be told: vertex and face, or two edges.
+  /// The features of each contact in `found`, to recognize duplicates: vertex and face, or two edges. Only if all
+  /// contacts are asked for.
   std::vector<std::array<Index, 2>> features;
   PaperCounts counts;
   std::uint64_t memory_bytes() const;

@@ -32,11 +32,11 @@ std::optional<double> small_fraction(std::string_view numerator, std::string_vie
 std::optional<double> exact_double(std::string_view numerator, std::string_view denominator) {
   if (const auto value = small_fraction(numerator, denominator)) return value;
   if (!is_integer(numerator) || !is_integer(denominator)) return std::nullopt;
-  // Base 10 said so: by default a leading zero would mean octal.
+  // Base 10 is given because by default a leading zero would mean octal.
   mpq_class fraction(mpz_class(std::string(numerator), 10), mpz_class(std::string(denominator), 10));
   if (fraction.get_den() == 0) return std::nullopt;
   fraction.canonicalize();
-  // A value beyond the largest double would not survive the conversion, and the conversion cuts: hence the comparison.
+  // Values beyond the largest double do not survive get_d(). Others are truncated by it, hence the comparison.
   if (mpz_sizeinbase(fraction.get_num_mpz_t(), 2) > 1024) return std::nullopt;
   const double value = fraction.get_d();
   if (!std::isfinite(value) || mpq_class(value) != fraction) return std::nullopt;

@@ -57,7 +57,7 @@ class QueryParser {
     return row;
   }
 
-  /// Number of cells in the line; the first seven of them, without blanks around.
+  /// Returns the number of cells in the line, and sets `cells` to the first seven, without blanks around them.
   static std::size_t split(std::string_view line, std::array<std::string_view, 7>& cells) {
     std::size_t count = 0;
     for (std::size_t end = 0; end != std::string_view::npos; ++count) {

@@ -18,7 +18,7 @@ struct Query {
   PairKind kind;
   std::array<Point, 4> start;  ///< vertex-face: v f0 f1 f2; edge-edge: a0 a1 b0 b1
   std::array<Point, 4> end;
-  std::optional<bool> touches;  ///< the exact answer, where the file gives it
+  std::optional<bool> touches;  ///< the exact answer, if the file gives it
 };
 
 /// The first feature belongs to the first body, the second to the other; rotation vector and position of each body are
@@ -34,30 +34,30 @@ struct RigidQuery {
 
 using SingleQuery = std::variant<Query, RigidQuery>;
 
-/// Files of queries, in natural order, that belong to one scene.
+/// A file of queries, and the scene to which it belongs.
 struct QueryFile {
   std::filesystem::path path;
-  std::string name;              ///< relative to the folder in which it was found; otherwise as given
+  std::string name;              ///< relative to the given folder that holds it; as given if the file itself was
   std::string folder;            ///< name of the scene: the folder above vertex-face or edge-edge, or above a JSON file
-  std::optional<PairKind> kind;  ///< of a table of fractions; none: a JSON file, which tells
+  std::optional<PairKind> kind;  ///< of the queries of a CSV file; none for a JSON file, which holds its kind
 };
 
-/// Eight rows a query, the four points at t=0, then at t=1; columns: numerator and denominator of x, of y, of z, then
-/// the answer, 0 or 1, which all files but unlabelled ones have. Every coordinate must be exactly a double. Throws
-/// FileError.
+/// Parses a CSV file. Each query has eight rows: its four points at t=0, then at t=1. Columns: numerator and
+/// denominator of x, of y, of z, then the answer, 0 or 1, except in unlabelled files. Every coordinate must be exactly
+/// a double. Throws FileError.
 std::vector<Query> parse_queries(std::string_view bytes, PairKind kind, const std::string& name);
 
-/// One query of a JSON file: `type` fv or ee, the features `face` and `vertex`, or `edge0` and `edge1`, each with its
-/// corners vertex0, vertex1, ... (a vertex: `vertex`) and its body's poses `pose_t0`, `pose_t1`, of `position` and
-/// `rotation`, a rotation vector in radians. Throws FileError.
+/// Parses the query of a JSON file: `type` fv or ee, and the features `face` and `vertex`, or `edge0` and `edge1`. Each
+/// feature has its corners vertex0, vertex1, ... (a vertex: `vertex`) and its body's poses `pose_t0`, `pose_t1`, with
+/// `position` and `rotation`, a rotation vector in radians. Throws FileError.
 RigidQuery parse_rigid_query(std::string_view bytes, const std::string& name);
 
 /// All queries of a file. The answer of a JSON file is looked for in a table truth.csv beside it or up to three folders
 /// above, with the columns file (relative to the table), kind, touches. Throws FileError.
 std::vector<SingleQuery> read_queries(const QueryFile& file);
 
-/// CSV and JSON files, and folders searched to any depth. The kind of a CSV file is told by a folder named vertex-face
-/// or edge-edge (or vf, ee) above it. Throws FileError.
+/// The query files among `names`: CSV and JSON files, and folders, which are searched to any depth; in natural order.
+/// The name of a folder above a CSV file, vertex-face or edge-edge (or vf, ee), tells its kind. Throws FileError.
 std::vector<QueryFile> query_files(const std::vector<std::string>& names);
 
 }  // namespace tamis::lab

@@ -1,4 +1,4 @@
-// Queries with the answers that stand beside them.
+// Reads queries, and looks up the answers of JSON files in tables truth.csv.
 #include "io/error.hpp"
 #include "io/file_bytes.hpp"
 #include "io/text.hpp"
@@ -16,7 +16,7 @@ std::string_view take_cell(std::string_view& row) {
   return cell;
 }
 
-/// What the table says of the file: a row `file,kind,touches,...`.
+/// The answer for `file` in the table, whose rows are `file,kind,touches,...`; none if the table has no row for it.
 std::optional<bool> answer_in(const fs::path& table, const std::string& file) {
   const io::FileBytes bytes(table);
   io::Lines lines(bytes.view());

@@ -14,8 +14,8 @@ struct QueryResult {
   PairResult result;
 };
 
-/// Columns file,kind,touches,toi_lower,toi_upper; kind is vf or ee, touches 0 or 1, times empty where nothing touches.
-/// Atomically. Throws FileError.
+/// Writes the table atomically. Columns: file,kind,touches,toi_lower,toi_upper; kind is vf or ee, touches 0 or 1; times
+/// are empty if the pair does not touch. Throws FileError.
 void write_query_results_csv(const std::filesystem::path& path, const std::vector<QueryResult>& results);
 
 }  // namespace tamis::lab

@@ -7,7 +7,7 @@
 namespace tamis::lab {
 namespace {
 
-/// A query takes a thousand bytes.
+/// Far more than a query takes, which is about a thousand bytes.
 constexpr std::size_t kMostBytes = std::size_t{4} << 20;
 
 Pose pose_of(const io::JsonValue& json) { return {json.member("position").point(), json.member("rotation").point()}; }

@@ -10,10 +10,10 @@
 namespace tamis::lab {
 namespace {
 
-/// Of NCF after DNF.
+/// The culling rate that the paper claims for NCF after DNF.
 constexpr double kClaimedRate = 0.9;
 
-/// Rows on which a claim holds, of the paper's own rows or of the others.
+/// Counts the rows on which a claim holds, and names the others.
 struct CullingTally {
   std::size_t rows = 0, holds = 0;
   std::string fails;
@@ -40,7 +40,7 @@ std::string claim(Results results, const std::string& words, const Holds& holds)
   return text + ".\n";
 }
 
-/// The smallest and the largest of a figure over all rows.
+/// Formats the smallest and the largest value of a figure over all rows.
 template <class Figure>
 std::string range(Results results, const char* format, const Figure& figure) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -57,7 +57,7 @@ std::string claim_of_speed(Results results, const std::string& words, const char
                [&](const SceneResult& r) { return times(r) > 1; });
 }
 
-/// Of the filters that look at the whole step, as the paper's competitors do.
+/// Among the filters that look at the whole step, as the paper's competitors do.
 bool pfs_culls_best(const SceneResult& r) {
   const std::uint64_t pfs = r.method("paper-pfs").elementary_tests();
   return std::all_of(r.methods.begin(), r.methods.end(),

@@ -11,7 +11,7 @@
 namespace tamis::lab {
 namespace {
 
-/// The cells of one line, taken in order; any that is not what it should be makes the line one of another program.
+/// The cells of one line, taken in order. Throws FileError for a cell that this program would not write.
 class Cells {
  public:
   Cells(const std::string& file, const io::Lines& lines) : file_(file), number_(lines.number()), rest_(lines.line()) {}
@@ -133,7 +133,7 @@ void EarlierResults::read_stages(const std::filesystem::path& file) {
     StageCount stage{cells.text()};
     stage.vf = cells.integer<std::uint64_t>();
     stage.ee = cells.integer<std::uint64_t>();
-    // Stages are written before the table: those of a scene that the table lacks are of an interrupted run.
+    // Stages are written before the table. If the table lacks their scene, an interrupted run left them.
     if (find(scene, factor)) method_of(row(scene, factor), method).stages.push_back(stage);
   });
 }

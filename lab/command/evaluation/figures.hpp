@@ -1,4 +1,4 @@
-// What the tables and claims of tamis-lab paper are made of: the paper's numbers, and ratios and rates of ours.
+// Figures for the tables and claims of tamis-lab paper: the paper's numbers, and ratios and rates of our results.
 #pragma once
 #include <span>
 #include <string>
@@ -25,25 +25,25 @@ const PublishedRow* published_row(const SceneResult& result);
 /// "airbag 3x".
 std::string row_name(const SceneResult& result);
 
-/// How many times faster.
+/// How many times faster `fast` is than `slow`, both names of methods.
 double ratio(const SceneResult& result, std::string_view slow, std::string_view fast);
 
 /// Which kinds of pairs are counted.
 enum class Counted : std::uint8_t { both, vf, ee };
 
-/// Of the pairs that enter `from`, the part that does not enter `to`; stages of one method. 0 if none enters.
+/// The part of the pairs entering stage `from` that does not enter stage `to`. 0 if none enters `from`.
 double culled_between(const MethodResult& method, std::string_view from, std::string_view to,
                       Counted counted = Counted::both);
 
-/// What NCF culls of the pairs that DNF leaves.
+/// The part that NCF culls of the pairs that DNF leaves.
 double ncf_rate(const SceneResult& result);
-/// The same among the pairs that are no contact, the only ones that a sound filter can cull.
+/// The same, counting only pairs that are no contact: a sound filter can cull no others.
 double ncf_rate_of_false_pairs(const SceneResult& result);
 
-/// The paper's claims and ours, one by one: each holds, or on which rows it does not.
+/// The paper's claims and ours, one by one: whether each holds, and if not, on which rows it fails.
 std::string paper_claims(Results results);
 
-/// What NCF leaves, and which other filter proves how much of it free.
+/// The pairs that NCF leaves, and how many of them each further filter proves free.
 std::string paper_sieve(Results results);
 
 }  // namespace tamis::lab

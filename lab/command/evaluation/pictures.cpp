@@ -10,11 +10,11 @@
 namespace tamis::lab {
 namespace {
 
-/// The user's Python first, then the system's, for which distributions package matplotlib: an environment of the user's
-/// often has none.
+/// The user's Python first, then the system's: distributions package matplotlib for the system's, and a virtual
+/// environment often lacks it.
 constexpr std::array kInterpreters{"python3", "/usr/bin/python3"};
 
-/// Empty: none, and `why` says what is missing.
+/// Empty if there is none; then `why` says what is missing.
 std::string interpreter_with_matplotlib(std::string& why) {
   why = "there is no python3 (Debian: apt-get install python3 python3-matplotlib)";
   for (const char* interpreter : kInterpreters) {
@@ -35,7 +35,7 @@ std::string draw_pictures(const std::filesystem::path& folder) {
   const std::string interpreter = interpreter_with_matplotlib(why);
   if (interpreter.empty()) return why;
   const int code = run_quietly({interpreter, script.string(), folder.string()});
-  // What Python says of a failure are pages.
+  // Python's own message is not repeated: it fills pages.
   return code == 0 ? ""
                    : fmt::format("{} {} ended with exit code {}: run it on '{}' to see why", interpreter,
                                  script.string(), code, folder.string());

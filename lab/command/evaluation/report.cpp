@@ -32,7 +32,7 @@ std::string table_1(Results results) {
   return text;
 }
 
-/// One column a method.
+/// A table with a column for each method.
 template <class Cell>
 std::string table_by_method(Results results, const std::string& title, const Cell& cell) {
   std::string text = fmt::format("\n## {}\n\n| scene, step |", title);

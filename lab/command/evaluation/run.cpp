@@ -28,7 +28,7 @@ std::uint64_t count_missing(const ContactList& wanted, const ContactList& there)
   return missing.size();
 }
 
-/// A contact is true if any method reports it, so a method that all others disagree with shows.
+/// Counts a contact as true if any method reports it, so that a disagreement of one method with all others shows.
 void compare(const std::vector<ContactList>& answers, std::vector<MethodResult>& methods) {
   ContactList all;
   for (const ContactList& answer : answers) all = united(all, answer);
@@ -49,7 +49,8 @@ void add_stages(const Statistics& statistics, MethodResult& method) {
   }
 }
 
-/// Of the process, which runs on one thread: on a shared machine the wall clock counts the others too.
+/// Time of this process, which runs on one thread. On a shared machine, wall-clock time would depend on other
+/// processes.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 std::vector<Options> options_of(const std::vector<std::string>& names) {
@@ -62,14 +63,14 @@ std::vector<Options> options_of(const std::vector<std::string>& names) {
   return all;
 }
 
-/// The detectors of a scene, the sieve's last, and what they have cost so far.
+/// The detectors of a scene, the sieve's last; adds what each step costs to the scene's result.
 class Contest {
  public:
   Contest(const Mesh& mesh, SceneResult& result) : result_(result) {
     for (const Options& options : options_of(paper_methods())) detectors_.push_back(make_detector(mesh, options));
   }
 
-  /// The methods take turns within a step, so that a slow phase of the machine is shared by all.
+  /// Asks all methods about one step, one after the other, so that a slow phase of the machine affects all of them.
   void run(const Step& step) {
     const bool is_first = result_.steps++ == 0;
     std::vector<ContactList> answers;

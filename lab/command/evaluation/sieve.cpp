@@ -1,4 +1,4 @@
-// What NCF leaves of the pairs that DNF leaves, and what other filters make of it: why the rate is what it is.
+// The pairs that DNF and NCF leave, and what further filters prove of them: explains the culling rate of NCF.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace tamis::lab {
 namespace {
 
-/// Pairs that NCF leaves, by what happens to them next; each pair counts once, in the first place that proves it free.
+/// Numbers of the pairs that NCF leaves, by the first of the further filters that proves them free, or by none.
 struct Left {
   std::uint64_t by_ncf, turn_over, slab_clip, axes, tested, contacts;
 

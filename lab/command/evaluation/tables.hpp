@@ -1,4 +1,4 @@
-// What tamis-lab paper writes: tables as CSV, and one report in Markdown.
+// The files that tamis-lab paper writes: tables as CSV, and one report in Markdown.
 #pragma once
 #include <filesystem>
 #include <span>
@@ -16,7 +16,7 @@ void write_paper_stages(const std::filesystem::path& folder, std::span<const Sce
 void write_paper_report(const std::filesystem::path& folder, std::span<const SceneResult> results,
                         const std::string& size);
 
-/// Part of `entering` that `leaving` lacks; 0 if nothing entered.
+/// 1 - leaving / entering: the part that is culled; 0 if nothing entered.
 double culled_part(std::uint64_t entering, std::uint64_t leaving);
 
 }  // namespace tamis::lab

@@ -34,7 +34,7 @@ namespace files = std::filesystem;
 /// A row of the paper's Table 1, or the larger funnel.
 struct Row {
   std::string_view name, scene;
-  Index full_triangles, quick_triangles;  ///< about; no quick size: left out
+  Index full_triangles, quick_triangles;  ///< approximate; without a quick size, --quick leaves the row out
 };
 
 constexpr std::array kRows{Row{"airbag", "airbag", 18'000, 1'500}, Row{"cloth-ball", "cloth-ball", 92'000, 3'000},
@@ -73,7 +73,7 @@ class Paper final : public cli::Verb {
 
   int run() override {
     require_known_scenes();
-    std::vector<SceneFrames> given_scenes;  // before anything is simulated: a path may be wrong
+    std::vector<SceneFrames> given_scenes;  // read before anything is simulated, as a path may be wrong
     for (const std::string& pair : given_) given_scenes.push_back(given(pair));
     require_scenes_of_steps();
     io::make_folder(folder_);
@@ -130,7 +130,7 @@ class Paper final : public cli::Verb {
   static SceneFrames given(const std::string& pair) {
     const std::string name = name_of(pair);
     if (name.empty()) throw InvalidOptions(fmt::format("--frames {} names no scene: write NAME=FOLDER", pair));
-    // It becomes a cell of tables, as CSV and as Markdown.
+    // The name becomes a cell of tables, in CSV and in Markdown.
     if (name.find_first_of(",\"|`\n\r") != std::string::npos || cli::printable(name) != name)
       throw InvalidOptions(
           fmt::format("--frames {}: the name holds a comma, quote, bar or control character: leave it out", pair));
@@ -176,14 +176,14 @@ class Paper final : public cli::Verb {
     }
   }
 
-  /// Of NAME=VALUE; empty if there is none.
+  /// The name in NAME=VALUE; empty if there is none.
   static std::string name_of(const std::string& pair) {
     const std::size_t sign = pair.find('=');
     return sign == std::string::npos ? "" : pair.substr(0, sign);
   }
   static std::string value_of(const std::string& pair) { return pair.substr(pair.find('=') + 1); }
 
-  /// The tables are written anew after every scene: an interrupted run leaves what it has.
+  /// Runs one scene, or takes its earlier result. Writes the tables again, so that an interrupted run keeps its rows.
   void measure(const SceneFrames& scene, int factor) {
     const PaperSteps steps{factor, most_steps(scene.name)};
     cli::Progress progress(steps.begins(scene.frames.size()).size(), "steps");
@@ -198,8 +198,8 @@ class Paper final : public cli::Verb {
     write_tables();
   }
 
-  /// With what an earlier run has finished and this one has not come to: an interruption loses no row. A row of the
-  /// table says that its stages are there, so they come first.
+  /// Writes this run's rows, and those of an earlier run that this one has not reached yet: an interruption loses no
+  /// row. Writes the stages first, because a row in the table means that its stages are there.
   void write_tables() const {
     std::vector<SceneResult> rows = results_;
     const bool is_last = rows.size() == 2 * names_to_run().size();

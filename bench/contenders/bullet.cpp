@@ -41,7 +41,7 @@ class Bullet final : public Contender {
   }
 
  private:
-  /// Nodes and faces of the step, with the normals that Bullet keeps in them; the time of it counts.
+  /// Fills in nodes and faces of the step, with the normals that Bullet keeps in them. This time counts.
   void prepare(const Task& task) {
     nodes_.resize(task.start.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i) {

@@ -1,4 +1,4 @@
-// What every contender is given and what it hands back. Its answer is compared before its time counts.
+// The task that every contender is given, and the answer that it returns. Answers are compared before times count.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -32,26 +32,26 @@ struct VertexFace {
   Index vertex, face;
 };
 
-/// The step that all work on, and its exact answer.
+/// The step that all contenders work on, and its exact answer.
 struct Task {
   Mesh mesh;
   std::vector<Point> start, end;
   PairSet contacts;                                ///< every pair that touches, by exact algebra
   std::vector<Pair> candidates;                    ///< every pair without a common vertex whose swept boxes meet
-  std::vector<VertexFace> vertex_face_candidates;  ///< those of vertex and face, in their order there
+  std::vector<VertexFace> vertex_face_candidates;  ///< the candidates of vertex and face, in the same order
   int threads = 1;
 };
 
 struct Answer {
-  std::uint64_t vf = 0, ee = 0;  ///< pairs handed out: candidates of a broad phase, contacts of all others
-  std::uint64_t missed = 0;      ///< true contacts (of the kinds it knows) that are not among them
+  std::uint64_t vf = 0, ee = 0;  ///< pairs returned: candidates by a broad phase, contacts by all others
+  std::uint64_t missed = 0;      ///< true contacts (of the kinds that the contender knows) that were not returned
   std::uint64_t extra = 0;       ///< pairs that are neither contacts nor, for a broad phase, swept boxes that meet
   std::string note;
 };
 
 enum class Field : std::uint8_t { broad_phase, one_pair, all_contacts, largest_step };
 
-/// The answer of one who decides pairs of the kinds named.
+/// The answer of a contender that decides pairs of these kinds.
 Answer compare(const Task& task, const std::vector<Pair>& touching, bool knows_vf, bool knows_ee);
 
 /// One program in the comparison.
@@ -60,11 +60,11 @@ class Contender {
   virtual ~Contender() = default;
   virtual std::string name() const = 0;
   virtual Field field() const = 0;
-  /// false: measured with one thread only.
+  /// If false, it is measured with one thread only.
   virtual bool uses_threads() const { return field() != Field::one_pair; }
-  /// Does the work, keeps what `answer` needs, and returns the cost of what counts.
+  /// Does the work, keeps its result for `answer`, and returns the cost of the part that is compared.
   virtual Cost run(const Task& task) = 0;
-  /// Of the last run; not timed.
+  /// The answer of the last run; not timed.
   virtual Answer answer(const Task& task) = 0;
 };
 

@@ -17,7 +17,7 @@ void give_bounds(const RTCBoundsFunctionArguments* arguments) {
   bounds.upper_z = box.high[2];
 }
 
-/// A scene with one geometry, a primitive a box.
+/// A scene with one geometry. Each box is a primitive.
 class BoxScene {
  public:
   BoxScene(RTCDevice device, std::vector<SweptBox>& boxes) : scene_(rtcNewScene(device)) {
@@ -51,7 +51,7 @@ void count_vf(void* user, RTCCollision* collisions, unsigned count) {
   counter.commit(PairKind::vertex_face, batch);
 }
 
-/// A scene against itself gives each pair in both orders: one of them is taken.
+/// A scene against itself gives each pair in both orders: counts one of them.
 void count_ee(void* user, RTCCollision* collisions, unsigned count) {
   auto& counter = *static_cast<PairCounter*>(user);
   PairCounter::Batch batch;

@@ -1,4 +1,4 @@
-// ipc-toolkit: its largest safe step with its own defaults. Compiled where find_package finds it. MIT licence.
+// ipc-toolkit: its largest safe step with its own defaults. Compiled if find_package finds it. MIT licence.
 #include <fmt/format.h>
 
 #include <Eigen/Core>

@@ -27,7 +27,7 @@ Task read_task(const std::string& start, const std::string& end, double scale) {
   return {io::mesh_of(std::move(first)), std::move(from), std::move(to), {}, {}, {}};
 }
 
-/// Everything the answers are measured against, by exact algebra.
+/// Finds the true contacts by exact algebra.
 void find_truth(Task& task) {
   Options options;
   Detector detector(task.mesh, options);

@@ -1,4 +1,4 @@
-// Wall clock and processor time of a stretch of work.
+// Measures wall-clock and processor time.
 #pragma once
 #include <chrono>
 #include <ctime>

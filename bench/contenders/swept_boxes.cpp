@@ -126,7 +126,7 @@ void find_candidates(Task& task) {
   };
   sweep(boxes.points, boxes.faces, false, add_vf);
   sweep(boxes.faces, boxes.points, true, [&](auto face, auto point) { add_vf(point, face); });
-  // Two edges that begin at the same x come in both orders: the ascending one is kept.
+  // Two edges whose boxes begin at the same x come in both orders: keeps the ascending one.
   sweep(boxes.edges, boxes.edges, false, [&](std::size_t a, std::size_t b) {
     if (a == b || (boxes.edges[a].low[0] >= boxes.edges[b].low[0] && a > b)) return;
     const Edge &e = edges[std::min(a, b)], &f = edges[std::max(a, b)];

@@ -1,4 +1,4 @@
-// What a broad phase of swept boxes starts from, and where its pairs go.
+// For broad phases of swept boxes: the boxes, and a counter of the pairs.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -19,8 +19,8 @@ struct SweptBoxes {
   void compute(const Task& task);
 };
 
-/// Takes pairs of features by their places in the mesh's lists; leaves out those with a common vertex; counts the rest
-/// and adds up their hashes, so that two sets can be compared without being stored. Safe from several threads.
+/// Counts pairs of features, given by their places in the mesh's lists, and adds up their hashes, so that two sets can
+/// be compared without being stored. Leaves out pairs with a common vertex. Safe from several threads.
 class PairCounter {
  public:
   explicit PairCounter(const Task& task) : mesh_(task.mesh) {}
@@ -29,7 +29,7 @@ class PairCounter {
     std::uint64_t count = 0, sum = 0;
   };
   void add_vf(std::size_t point, std::size_t face, Batch& batch) const;
-  /// Either order; the same edge twice is left out.
+  /// Edges come in either order. Leaves out a pair of an edge with itself.
   void add_ee(std::size_t a, std::size_t b, Batch& batch) const;
   void commit(PairKind kind, const Batch& batch);
 
@@ -44,7 +44,7 @@ class PairCounter {
   std::atomic<std::uint64_t> vf_{0}, ee_{0}, sum_{0};
 };
 
-/// Fills in the candidates: by sorting on one axis and sweeping.
+/// Fills in the candidates of the task, by sorting along one axis and sweeping.
 void find_candidates(Task& task);
 
 }  // namespace tamis::bench

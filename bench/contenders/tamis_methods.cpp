@@ -11,8 +11,8 @@ namespace {
 
 Pair pair_of(const Contact& contact) { return {contact.kind, contact.vertices}; }
 
-/// A detector that is made anew in every run (new), or kept and refitted (kept): it was just asked about other
-/// positions, so that no list of pairs helps.
+/// A contender that asks a detector. It makes the detector anew in every run (new), or keeps and refits it (kept). A
+/// kept one is first asked about other positions, so that no list of pairs helps.
 class Asked : public Contender {
  public:
   Asked(std::string method, bool is_kept) : method_(std::move(method)), is_kept_(is_kept) {}
@@ -84,8 +84,8 @@ class LargestStep final : public Asked {
   EarliestContact first_;
 };
 
-/// Boxes, build and search of a run for all contacts: what in Tamis stands where a broad phase stands elsewhere. Its
-/// boxes move, so it hands on fewer pairs than swept boxes do; that they hold every contact is seen from the contacts.
+/// Boxes, build and search of a question for all contacts: the part of Tamis that corresponds to a broad phase. Its
+/// boxes move, so it finds fewer pairs than swept boxes do. Compares the contacts to see that no pair is missed.
 class BroadPhase final : public Asked {
  public:
   using Asked::Asked;
@@ -110,7 +110,7 @@ class BroadPhase final : public Asked {
   std::size_t contacts_ = 0;
 };
 
-/// One kind alone, so that others who know one kind alone can be compared.
+/// Decides candidates of one kind alone, to compare with contenders that know only this kind.
 class OnePair final : public Contender {
  public:
   explicit OnePair(PairKind kind) : kind_(kind) {}

@@ -1,4 +1,4 @@
-// Tight-Inclusion: one candidate at a time, tolerance 1e-6. Compiled where find_package finds it. MIT licence.
+// Tight-Inclusion: one candidate at a time, tolerance 1e-6. Compiled if find_package finds it. MIT licence.
 #include <Eigen/Core>
 #include <tight_inclusion/ccd.hpp>
 

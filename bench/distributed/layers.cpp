@@ -8,7 +8,8 @@ namespace {
 
 constexpr Index kLayers = 8;
 
-/// In units of an edge: waves of twenty edges, in every other layer turned over, so that crests press into crests.
+/// The position of a vertex, in units of an edge. Waves are twenty edges long, and turned over in every other layer, so
+/// that crests press into crests.
 Point at(Index layer, Index row, Index column, double slide, double height) {
   constexpr double kWave = 0.31, kApart = 0.5;
   const double side = layer % 2 == 0 ? 1 : -1, x = row + side * slide, y = column + 0.37 * layer;

@@ -1,4 +1,5 @@
-// tamis_distributed TRIANGLES_A_RANK: what ranks own, borrow, send and test, one line of CSV (under mpirun).
+// tamis_distributed TRIANGLES_A_RANK: how much ranks own, borrow, send and test, in a line of CSV for each question
+// (under mpirun).
 #include <mpi.h>
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 namespace tamis::bench {
 namespace {
 
-/// Of all ranks.
+/// Mean and maximum of a number over all ranks.
 struct Spread {
   double mean, most;
 };
@@ -43,7 +44,8 @@ constexpr const char* kHeader =
     "question,ranks,triangles,owned,owned_balance,borrowed,borrowed_most,pairs,pairs_balance,bytes,bytes_most,messages,"
     "messages_most,boxes,contacts,positions_s,borrow_s,interior_s,border_s,total_s";
 
-/// There and back: the first cut is by elements, the next one by pairs; what is reported comes after both.
+/// Asks about the step and the way back in turn. The mesh is cut by elements first, and then by pairs; the questions
+/// that are reported come after both cuts.
 void run(double triangles, bool has_header) {
   int rank = 0, ranks = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

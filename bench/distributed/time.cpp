@@ -1,5 +1,5 @@
-// tamis_ranks_time TRIANGLES [THREADS]: milliseconds of a question, one line of CSV for each; asked by the ranks of
-// mpirun with one thread each, or, with THREADS, by one process without MPI's help.
+// tamis_ranks_time TRIANGLES [THREADS]: milliseconds of each question, a line of CSV for each. The ranks of mpirun ask
+// with one thread each; with THREADS, one process asks without MPI's help.
 #include <mpi.h>
 
 #include <algorithm>
@@ -15,7 +15,8 @@ namespace {
 
 constexpr int kQuestions = 21;
 
-/// The median; of ranks, what the slowest takes. `ask(step)` there and back, after enough to know how to share work.
+/// The median time of a question; the slowest rank's time counts. Calls ask(step) with the step and the way back in
+/// turn. The first questions are not timed: from them the ranks learn how to share the work.
 template <class Ask>
 double median_ms(const LayersPart& part, const Ask& ask) {
   constexpr int kWarm = 4;
@@ -54,7 +55,7 @@ void run(double triangles, int threads) {
   Options options;
   options.threads = std::max(threads, 1);
   if (threads > 0) {
-    // One rank gives all vertices, by number.
+    // The part of a single rank holds all vertices, in order of their numbers.
     Detector detector(Mesh(static_cast<Index>(part.start.size()), part.mesh.faces), options);
     report(detector, part, "threads", threads, triangles);
   } else {

@@ -1,5 +1,6 @@
-// tamis_exact [COUNT]: what exact algebra costs for one pair, by family of motions (tests/support/pair_cases.hpp), with
-// exponents spread, and with a minimum separation. Microseconds a call, the least of three.
+// tamis_exact [COUNT]: the cost of exact algebra for one pair, for each family of motions
+// (tests/support/pair_cases.hpp), for coordinates of very different exponents, and with a minimum separation.
+// Microseconds a call, the least of three.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -39,7 +40,7 @@ void print_row(const std::string& name, std::vector<double> times) {
               at(0.99), times.back());
 }
 
-/// `spread`: every coordinate times its own power of two, within 2^+-spread.
+/// `spread`: multiplies every coordinate by its own random power of two, within 2^+-spread.
 void run(const std::string& name, const test::Family& family, int count, int spread, bool is_separated) {
   Random random(1);
   std::vector<double> times;

@@ -20,11 +20,10 @@ constexpr std::array kStates{"new", "kept", "line", "substeps"};
 constexpr std::array kSeparations{0., 0.001, 0.1};
 constexpr std::array kParts{"night", "daily", "quick"};
 
-// The rule of what is left out: a cell whose work exceeds its part's limit. A unit takes about a microsecond.
+// A part leaves out the cells whose work exceeds its limit. A unit of work takes about a microsecond.
 constexpr std::array kMostWork{7e6, 2.5e6, 2.5e5};
 
-/// What is asked in a state, the question about other positions included: how many questions, and how far they go
-/// together, in steps.
+/// The questions of a state, the one about other positions included: their number, and their total length in steps.
 struct Asked {
   double questions, steps;
 };
@@ -42,7 +41,7 @@ std::span<const double> separations_of(const SceneName& scene) {
   return std::span(kSeparations).first(scene.is_of_two_sizes ? 1 : kSeparations.size());
 }
 
-/// All ways to ask what a step runs into, in a fixed order.
+/// All ways to ask about the contacts of a step, in a fixed order.
 std::vector<Cell> ways_to_ask_step(const SceneName& scene, double scale) {
   std::vector<Cell> ways;
   for (const double separation : separations_of(scene)) {
@@ -53,8 +52,8 @@ std::vector<Cell> ways_to_ask_step(const SceneName& scene, double scale) {
   return ways;
 }
 
-/// All ways to ask about positions, or for them. Intersections know no separation, and trials of a line search do not
-/// ask for them.
+/// All ways to ask about positions, or for truncated ones. Intersections have no separation, and trials of a line
+/// search do not ask for them.
 std::vector<Cell> ways_to_ask_positions(const SceneName& scene, double scale) {
   std::vector<Cell> ways;
   for (const double separation : separations_of(scene))
@@ -66,8 +65,8 @@ std::vector<Cell> ways_to_ask_positions(const SceneName& scene, double scale) {
 
 bool is_asked(const Cell& cell, Part part) { return work_of(cell) <= kMostWork[static_cast<std::size_t>(part)]; }
 
-/// Calls visit(ways, number of the step) for each step of the matrix, first with the ways to ask it, then its
-/// positions.
+/// Calls visit(ways, number of the step) for each step of the matrix: first with the ways to ask about the step, then
+/// with those to ask about positions.
 template <class Visit>
 void for_each_step(const Visit& visit) {
   std::size_t number = 0;
@@ -77,12 +76,12 @@ void for_each_step(const Visit& visit) {
       if constexpr (AsksPositions<Detector>) visit(ways_to_ask_positions(scene, scale), number);
       ++number;
     }
-    ++number;  // seven a scene: the ways come in turn at each scale, too
+    ++number;  // seven numbers a scene, but six scales: so the ways come in turn at each scale, too
   }
 }
 
-/// The way to ask a step that its number brings, or the next that is not left out. A stride without a common divisor
-/// with the number of ways lets all of them come in turn.
+/// Adds the way to ask that the step's number selects, or the next one that is not left out. The stride has no common
+/// divisor with the number of ways, so that all ways come in turn.
 void add_daily(const std::vector<Cell>& ways, std::size_t number, std::vector<Cell>& cells) {
   constexpr std::size_t kStride = 20;
   for (std::size_t i = 0; i < ways.size(); ++i) {

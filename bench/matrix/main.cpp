@@ -31,7 +31,7 @@ Patterns as of the shell: 'kick*/x3/contacts/*'. A name is SCENE/xSCALE/QUESTION
 Parts: night (all, the default), daily, quick; left-out: what takes too long even for the night (--list only).
 )";
 
-/// The last scene that was asked for: cells come scene by scene.
+/// Keeps the last scene that was asked for, as cells come scene by scene.
 const scenes::Scene& scene_named(const std::string& name) {
   static scenes::Scene last;
   if (last.name != name) {
@@ -59,7 +59,8 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Milliseconds of each question of the cell: medians of as many runs as fit a fiftieth of a second, one at least.
+/// Milliseconds of each question of the cell: medians of runs that together take a fiftieth of a second, at least one
+/// run.
 std::vector<double> time(Session& session) {
   constexpr double kEnough = 0.02;
   constexpr std::size_t kMostRuns = 1000;
@@ -78,8 +79,8 @@ std::vector<double> time(Session& session) {
   return medians;
 }
 
-/// What detectors give back stays with the process. Else whether the next one meets 10 page faults or 3,000 hangs on
-/// the order in which the last one let go of its arrays: half of the time of a cell, up or down, by luck.
+/// Memory that detectors free stays with the process. Otherwise the next one has 10 page faults or 3,000, depending on
+/// the order in which the last one freed its arrays: that changes the time of a cell by half, by luck.
 void keep_memory() {
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());

@@ -37,7 +37,7 @@ struct Generated {
   std::string_view name;
   scenes::Scene (*make)(Index triangles, std::uint64_t seed);
   double crowding = 1;
-  Index fewest_triangles = 0;  ///< smaller ones are the same scene
+  Index fewest_triangles = 0;  ///< asked for fewer, the generator makes the same scene
   bool parts_groups = false;
 };
 
@@ -57,7 +57,7 @@ constexpr std::array kGenerated{
     Generated{"scattered-groups", scattered_groups, 1, 100, true},
 };
 
-/// Of one size each: bad input, and steps as simulations make them.
+/// Kinds of one size each: bad input, and steps as simulations make them.
 struct OfOneSize {
   std::string_view name;
   scenes::Scene (*make)(Index triangles, std::uint64_t seed);
@@ -66,7 +66,7 @@ struct OfOneSize {
 };
 
 constexpr std::array kOfOneSize{
-    // Everything passes everything within 1e-300 of the step: each pair needs exact algebra.
+    // All triangles pass all others within 1e-300 of the step: each pair needs exact algebra.
     OfOneSize{"huge-beside-tiny", huge_beside_tiny, 12},
     OfOneSize{"infinite-ratio", infinite_ratio, 24},
     OfOneSize{"one-flies-through", one_flies_through, 1000},

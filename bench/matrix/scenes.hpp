@@ -9,17 +9,17 @@ namespace tamis::matrix {
 
 struct SceneName {
   std::string name;
-  double triangles;              ///< about
-  double crowding;               ///< how many times the work for a unit of motion is that of a folded cloth
-  bool is_here;                  ///< recorded scenes: the data is
+  double triangles;              ///< approximate
+  double crowding;               ///< work for a unit of motion, relative to that of a folded cloth
+  bool is_here;                  ///< false for recorded scenes whose data is missing
   bool parts_groups = false;     ///< bodies do not touch themselves
-  bool is_of_two_sizes = false;  ///< all of the finer part is nearer than the shortest separation, of mean edges
+  bool is_of_two_sizes = false;  ///< the finer part lies within the shortest separation, in mean edges, of itself
 };
 
-/// All of them, in an order that does not depend on what is here.
+/// All scenes, in an order that does not depend on which are here.
 const std::vector<SceneName>& scene_names();
 
-/// Throws InvalidOptions where there is no such scene, and what reading throws.
+/// Throws InvalidOptions if there is no such scene, and the errors of reading a file.
 scenes::Scene load_scene(const std::string& name);
 
 }  // namespace tamis::matrix

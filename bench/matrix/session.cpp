@@ -14,7 +14,7 @@ constexpr double kKeptFraction = 0.2;
 constexpr int kTrials = 8;
 constexpr int kSubsteps = 20;
 
-/// With one thread the processor time of the process: the time of the question, whoever else uses the machine.
+/// Wall-clock time; with one thread the process's processor time, which other users of the machine do not change.
 double seconds_now(int threads) {
   timespec now{};
   clock_gettime(threads == 1 ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &now);
@@ -88,7 +88,7 @@ void add_answer(const SafeStep& step, Outcome& outcome) {
   add_bracket(step.lower, step.upper, outcome);
 }
 
-/// A pair of features that are near each other, or an edge that passes through a face.
+/// Adds a near pair, or an intersection.
 template <class Found>
 void add_found(const Found& found, Outcome& outcome) {
   if constexpr (requires { found.distance; }) {
@@ -102,7 +102,7 @@ void add_found(const Found& found, Outcome& outcome) {
   }
 }
 
-/// Of the questions about positions, whose types old versions lack.
+/// Adds the answer of a question about positions. A template, because old versions lack the types of these answers.
 template <class Answer>
 void add_answer(const Answer& answer, Outcome& outcome) {
   if constexpr (requires { answer.positions; }) {

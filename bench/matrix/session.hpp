@@ -1,4 +1,4 @@
-// One cell, asked: what it counts, what it answers, how long it takes.
+// Asks the questions of one cell: counts, answers and times.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -16,19 +16,19 @@ namespace tamis::matrix {
 struct Outcome {
   std::map<std::string, std::uint64_t> counts;  ///< nodes, pairs that enter each stage, pairs decided by exact algebra
   std::uint64_t contacts = 0;
-  std::uint64_t pairs = kHashSeed;   ///< hash of what touches: the same for every version
-  std::uint64_t bits = kHashSeed;    ///< of all that is answered, times too
+  std::uint64_t pairs = kHashSeed;   ///< hash of the pairs that touch: the same for every version
+  std::uint64_t bits = kHashSeed;    ///< hash of the whole answer, times included
   std::vector<double> lower, upper;  ///< of each question: the bracket of the first time
-  std::vector<double> seconds;       ///< of each question: processor time of one thread, of more the wall clock
+  std::vector<double> seconds;       ///< of each question: processor time; wall-clock time with several threads
 
   static constexpr std::uint64_t kHashSeed = 0xcbf29ce484222325;
 };
 
 class Session {
  public:
-  /// `scene` as load_scene gives it, its motion not yet scaled. Of the options threads and instruction set count.
+  /// `scene` as load_scene returns it; its motion is scaled here. Only threads and isa of the options are used.
   Session(const Cell& cell, scenes::Scene scene, const Options& options);
-  /// Asks all questions of the cell; again with the same detector, but where the cell wants a new one.
+  /// Asks all questions of the cell. Later calls use the same detector, unless the cell's state is `fresh`.
   Outcome run();
 
  private:
@@ -38,7 +38,7 @@ class Session {
   scenes::Scene scene_;
   Mesh mesh_;
   Options options_;
-  double distance_;  ///< of the cell's separation, in the unit of the positions
+  double distance_;  ///< the cell's separation, in the unit of the positions
   std::vector<Point> other_start_, other_end_;
   std::optional<Detector> detector_;
 };

@@ -1,4 +1,4 @@
-// What differs between the commits that the matrix is built against.
+// Adapts to the differences between the commits that the matrix is built against.
 #pragma once
 #include <cstdint>
 
@@ -8,7 +8,7 @@
 
 namespace tamis::matrix {
 
-/// Of all kinds that this version counts.
+/// The pairs of all kinds that this version counts.
 template <class Stage>
 std::uint64_t pairs_of(const Stage& stage) {
   if constexpr (requires { stage.ve; })
@@ -17,13 +17,13 @@ std::uint64_t pairs_of(const Stage& stage) {
     return stage.vf + stage.ee;
 }
 
-/// Every pair is decided, in versions that leave the choice, too.
+/// Has every pair decided, also in versions that make this an option.
 template <class AnyOptions>
 void decide_all(AnyOptions& options) {
   if constexpr (requires { options.guarantee; }) options.guarantee = decltype(options.guarantee)::exact;
 }
 
-/// By the name that this version has for it.
+/// Calls safe_step by the name that this version has for it.
 template <class AnyDetector, class AnyStep>
 auto safe_step(AnyDetector& detector, const AnyStep& step, double keep) {
   if constexpr (requires { detector.safe_step(step, keep); })
@@ -32,7 +32,7 @@ auto safe_step(AnyDetector& detector, const AnyStep& step, double keep) {
     return detector.keep_distance(step, keep);
 }
 
-/// Does this version answer questions about positions? Else the matrix has no cells of them.
+/// Does this version answer questions about positions? If not, the matrix has no such cells.
 template <class AnyDetector>
 concept AsksPositions = requires(AnyDetector& detector, const Step& step) {
   detector.truncate(step, 0.1);
@@ -40,7 +40,7 @@ concept AsksPositions = requires(AnyDetector& detector, const Step& step) {
   detector.intersections(step.end);
 };
 
-/// Calls timed(ask) for one of these.
+/// Calls timed(ask) if the question is about positions, or truncate.
 template <class AnyDetector, class Timed>
 void ask_positions(AnyDetector& detector, Question question, const Step& step, double keep, double distance,
                    const Timed& timed) {

@@ -1,6 +1,6 @@
-// Curved motion of a whole mesh: two bodies that turn past each other, a little apart: alone, above a terrain, and
-// where a point far away turns with one of them.
-// tamis_paths [TRIANGLES [REPEAT]]: a Markdown table; triangles of each body, medians, processor time of one thread.
+// Curved motion of a whole mesh: two bodies that turn past each other, a little apart. They are alone, above a terrain,
+// or a point far away turns with one of them. tamis_paths [TRIANGLES [REPEAT]]: a Markdown table; triangles of each
+// body, medians, processor time of one thread.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -35,7 +35,7 @@ Bodies two_spheres(Index triangles) {
   return bodies;
 }
 
-/// A square of so many squares a side, below the others.
+/// Adds a square grid of `cells` x `cells` squares below the bodies.
 void add_terrain(Bodies& bodies, Index cells, double width) {
   const auto first = static_cast<Index>(bodies.rest.size());
   const double edge = width / cells;
@@ -53,7 +53,7 @@ struct Motion {
   double degrees, gap, approach;
 };
 
-/// The second sphere stands `gap` away and goes nearer by `approach`; what else there is stays.
+/// The second sphere starts at the distance `gap` and comes nearer by `approach`. The terrain does not move.
 RigidPath path_of(const Bodies& bodies, const Motion& motion) {
   const double distance = 2 + motion.gap, angle = motion.degrees * std::numbers::pi / 180;
   return {bodies.rest,
@@ -67,7 +67,7 @@ void print_row(const char* where, const Bodies& bodies, const Motion& motion, in
   Options options;
   options.threads = 1;
   options.filter = PairFilter::no_self_contact(bodies.body);
-  std::vector<Index> points;  // what is of no face
+  std::vector<Index> points;  // loose points
   if (bodies.body.back() == 0) points.push_back(static_cast<Index>(bodies.rest.size()) - 1);
   Detector detector({static_cast<Index>(bodies.rest.size()), bodies.faces, {}, points}, options);
   const RigidPath path = path_of(bodies, motion);

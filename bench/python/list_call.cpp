@@ -1,9 +1,9 @@
-// The C++ call that tamis.narrow_phase stands for, for overhead.py to call by ctypes.
+// The C++ call behind tamis.narrow_phase; overhead.py calls it by ctypes.
 #include <chrono>
 
 #include "tamis/pair.hpp"
 
-/// Seconds for `count` vertices against as many faces, four points each; results in memory of their own, as in Python.
+/// Seconds for `count` pairs of a vertex and a face, four points each. Allocates the results, as Python does.
 extern "C" __attribute__((visibility("default"))) double tamis_list_call(std::size_t count, const double* start,
                                                                          const double* end) {
   std::vector<tamis::Pair> pairs(count);

@@ -15,7 +15,7 @@ bool is_scene(const std::string& name) {
   return std::any_of(recipes.begin(), recipes.end(), [&](const auto& recipe) { return recipe.name == name; });
 }
 
-/// By 60 degrees, `side` 1 or -1, about an axis along z.
+/// Turns `p` by 60 degrees about an axis along z through `middle`; `side`, 1 or -1, is the sense of rotation.
 Point turned(const Point& p, const Point& middle, int side) {
   const double c = 0.5, s = side * std::sqrt(0.75), x = p[0] - middle[0], y = p[1] - middle[1];
   return {middle[0] + (c * x - s * y), middle[1] + (s * x + c * y), p[2]};

@@ -1,4 +1,4 @@
-// The step that is asked about, and others made of its start.
+// The step of the questions, and other steps made from its start.
 #pragma once
 #include <string>
 #include <vector>
@@ -15,13 +15,13 @@ struct Frames {
   Step step() const { return {start, end}; }
 };
 
-/// Two files, or the name of a scene and its number of triangles. Throws what reading throws.
+/// Reads two files, or makes a scene from its name and number of triangles. Throws the errors of reading.
 Frames read_frames(const std::string& first, const std::string& second);
 
-/// All of the start, by 60 degrees about the z axis.
+/// Turns all vertices of the start by 60 degrees about the z axis.
 Frames turned_as_a_whole(const Frames& frames);
-/// The faces of the start twice, side by side along x, each turned by 60 degrees about the middle of its box, one to
-/// and one fro. REQUIRES: there are some.
+/// Two copies of the start's faces, side by side along x. Each turns by 60 degrees about the middle of its box, in
+/// opposite senses. REQUIRES: the mesh has faces.
 Frames turned_against_each_other(const Frames& frames);
 
 }  // namespace tamis::bench

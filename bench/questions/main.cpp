@@ -1,6 +1,6 @@
-// What a simulator asks beside contacts, of one step: lists of pairs, what is near, what intersects, how far each
-// vertex may go. tamis_questions START END [REPEAT], or SCENE TRIANGLES [REPEAT]: a Markdown table; medians, processor
-// time of one thread, warm.
+// A simulator's questions other than contacts, about one step: lists of pairs, near pairs, intersections, step lengths.
+// tamis_questions START END [REPEAT], or SCENE TRIANGLES [REPEAT]: a Markdown table; medians, processor time of one
+// thread, warm.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -21,7 +21,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Processor time, milliseconds.
+/// Processor time in milliseconds.
 template <class Ask>
 double time_of(const Ask& ask) {
   const std::clock_t start = std::clock();
@@ -29,7 +29,7 @@ double time_of(const Ask& ask) {
   return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Median of the processor time; `ask` runs once before.
+/// Median of the processor time of `repeat` runs, after one that is not timed.
 template <class Ask>
 double milliseconds(int repeat, const Ask& ask) {
   ask();
@@ -56,7 +56,7 @@ struct Bench {
   Step step;
   int repeat;
 
-  /// The step's own contacts, as if a broad phase had found them.
+  /// Decides a list of the step's own contacts, as if a broad phase had found them.
   void list_of_pairs() {
     std::vector<Pair> pairs;
     for (const Contact& c : detector.contacts(step)) pairs.push_back({c.kind, c.vertices});
@@ -81,7 +81,7 @@ struct Bench {
     }
   }
 
-  /// How far all vertices go, against how far one step for all would take them.
+  /// Compares how far all vertices go with how far one common step length takes them.
   void own_steps() {
     TruncatedStep truncated;
     const SafeStep together = detector.safe_step(step, 0.1);
@@ -99,8 +99,7 @@ struct Bench {
   }
 };
 
-/// How far may every pair keep a part of its distance? In turns with the largest step, each after the way back, so that
-/// nothing remembered helps.
+/// Times safe_step in turns with earliest. Both are first asked about the way back, so that nothing remembered helps.
 void step_lengths(const bench::Frames& frames, const Options& options, int repeat, const std::string& which) {
   Detector largest(frames.mesh, options), keeping(frames.mesh, options);
   const Step way = frames.step(), back{way.end, way.start};

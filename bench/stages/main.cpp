@@ -1,4 +1,5 @@
-// tamis_stages: each stage of the default method, each filter, and one pair, alone. `--benchmark_filter=search` picks.
+// tamis_stages: times each stage of the default method, each filter, and the decision of one pair alone.
+// `--benchmark_filter=search` selects by name.
 #include <benchmark/benchmark.h>
 
 #include "bench/stages/workload.hpp"
@@ -54,7 +55,7 @@ void add_search(const Workload& work, PairKind kind) {
   });
 }
 
-/// A stage that takes a buffer: `run(buffer)`.
+/// Adds a stage that takes a buffer: `run(buffer)`.
 template <class Run>
 void add_stage(const Workload& work, const std::string& what, const Buffers& buffers, const Run& run) {
   add(work, what, [&buffers, run](State& state) {
@@ -114,7 +115,7 @@ void add_filters(const Workload& work, PairKind kind) {
   }
 }
 
-/// The pairs that reach the solver, one by one: most of them touch.
+/// Decides the pairs that reach the solver one by one. Most of them touch.
 void add_one_pair(const Workload& work, PairKind kind) {
   const auto pairs = std::make_shared<std::vector<PairPoints>>(work.points(work.inputs(kind).solve, kMostPairs));
   const std::string what = "one_pair_" + name(kind);
@@ -131,7 +132,7 @@ void add_one_pair(const Workload& work, PairKind kind) {
   });
 }
 
-/// Where a body stands that turns about one axis: by doubles, and beyond what they serve for by double-double.
+/// The pose of a body that turns about one axis: in doubles, and for a turn too large for doubles in double-double.
 void add_poses() {
   for (const auto& [name, angle] : {std::pair{"pose", 1.0}, std::pair{"pose_far", 5.0}}) {
     const Chain chain(interpolated({{1, 2, 3}, {0, 0, angle}}, {{2, 3, 4}, {0, 0, angle / 2}}));

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Enough to fill the caches, few enough to keep.
+/// Enough buffers to fill the caches, few enough to keep in memory.
 constexpr std::size_t kMostBuffers = 256;
 
 void keep(Buffers& buffers, const PairBuffer& pairs) {

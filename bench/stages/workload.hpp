@@ -1,4 +1,4 @@
-// A step cut into the inputs of each stage, so that each can be timed alone.
+// The inputs of each stage for one step, so that each stage can be timed alone.
 #pragma once
 #include <memory>
 #include <string>
@@ -34,8 +34,8 @@ class Workload {
   const PackedMotion& motion() const { return motion_; }
   std::vector<BlockTree*> trees() { return {&points_, &edges_, &faces_}; }
 
-  /// Searches the whole step; `flush` must empty the buffer it is handed. Returns the
-  /// number of nodes visited.
+  /// Searches the whole step. REQUIRES: `flush` empties the buffer that it is given. Returns the number of nodes
+  /// visited.
   template <class Flush>
   std::uint64_t search(PairKind kind, const Flush& flush) const {
     const bool is_vf = kind == PairKind::vertex_face;
@@ -51,9 +51,9 @@ class Workload {
 
   const StageInputs& inputs(PairKind kind) const { return kind == PairKind::vertex_face ? vf_ : ee_; }
   const Kernels& kernels() const { return kernels_; }
-  /// The motions of the pairs of `buffers`, for the filters one by one, at most `most`.
+  /// The motions of the first `most` pairs of `buffers`, for the filters.
   std::vector<PairMotion<double>> motions(PairKind kind, const Buffers& buffers, std::size_t most) const;
-  /// The points of the pairs of `buffers`, for the decision of one pair, at most `most`.
+  /// The points of the first `most` pairs of `buffers`, to decide them one by one.
   std::vector<PairPoints> points(const Buffers& buffers, std::size_t most) const;
 
  private:

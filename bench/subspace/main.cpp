@@ -1,4 +1,4 @@
-// Subspace culling on the reduced sheet: what is proven free, and what it saves, by the length of q.
+// Subspace culling on the reduced sheet, by the length of q: how much is proven free, and how much time that saves.
 // tamis_subspace [TRIANGLES]: a Markdown table; means over seeds, processor time of one thread.
 #include <array>
 #include <cstdio>

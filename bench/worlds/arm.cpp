@@ -12,7 +12,7 @@ namespace tamis::worlds {
 
 namespace {
 
-/// Seven links of 300 triangles, each turning in the frame of the one before it.
+/// Seven links of 300 triangles. Each turns in the frame of the one before it.
 struct Arm {
   static constexpr std::size_t kJoints = 7;
   static constexpr double kLength = 0.35;
@@ -30,7 +30,7 @@ struct Arm {
     pose.rotation[axes[number]] = angle;
     return pose;
   }
-  /// Of all links, from one configuration to the other.
+  /// Adds the motions of all links from one configuration to the other.
   static void add_motion(const Angles& start, const Angles& end, std::vector<BodyMotion>& motions) {
     Chain chain;
     for (std::size_t k = 0; k < kJoints; ++k) {
@@ -43,7 +43,7 @@ struct Arm {
 using Random = std::mt19937_64;
 double any(Random& random) { return std::uniform_real_distribution<double>(-1, 1)(random); }
 
-/// Forty balls that stand around the arm, none on it.
+/// Adds forty balls that stand around the arm; none stands on it.
 void add_balls(World& world, Random& random) {
   scenes::Shape ball = scenes::unit_sphere(9);
   for (Point& p : ball.points)
@@ -57,7 +57,7 @@ void add_balls(World& world, Random& random) {
   }
 }
 
-/// Its links, of which neighbours meet in their joint, and the first one stands on the floor.
+/// Adds the links. Neighbours meet in their joint and the first link stands on the floor, so these may touch.
 std::vector<BodyId> add_arm(World& world, const Arm& robot, BodyId floor) {
   std::vector<BodyId> links;
   for (std::size_t k = 0; k < Arm::kJoints; ++k) {
@@ -68,7 +68,7 @@ std::vector<BodyId> add_arm(World& world, const Arm& robot, BodyId floor) {
   return links;
 }
 
-/// From random configurations by `way` radians.
+/// Motions from random configurations by `way` radians.
 std::vector<BodyMotion> motions_by(double way, int count, Random& random) {
   std::vector<BodyMotion> motions;
   for (int i = 0; i < count; ++i) {
@@ -101,8 +101,8 @@ void arm_row(int threads, double way, int count) {
 
 }  // namespace
 
-/// An arm over a floor of 20,000 triangles among forty balls of 972, as a planner asks about it: from random
-/// configurations by so many radians. Motions a second of wall-clock time.
+/// An arm over a floor of 20,000 triangles, among forty balls of 972 triangles. A planner asks about motions from
+/// random configurations by so many radians. Prints motions a second of wall-clock time.
 void arm(int steps) {
   std::printf("\n| threads | radians | motions of an arm | free | a second |\n|--:|--:|--:|--:|--:|\n");
   for (const int threads : {1, 2})

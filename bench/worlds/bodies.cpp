@@ -5,7 +5,7 @@
 
 namespace tamis::worlds {
 
-/// Two large balls whose surfaces are rough, near each other, one turning.
+/// Two large balls with rough surfaces, near each other. One turns.
 void two_large_bodies(int steps) {
   scenes::Shape rough = scenes::unit_sphere(41);
   for (std::size_t v = 0; v < rough.points.size(); ++v)
@@ -26,7 +26,7 @@ void two_large_bodies(int steps) {
   print_row("earliest of two rough balls of 20,172 triangles, near, one turning", first.contact.has_value(), cost);
 }
 
-/// `count` balls in a lattice, of which each tenth has another one beside it that comes near while both turn.
+/// `count` turning balls in a lattice. A tenth of them stand in pairs that come near each other.
 void many_bodies(int count, int steps) {
   const Shape ball = shape_of(scenes::unit_sphere(9));
   World world(options());
@@ -34,7 +34,7 @@ void many_bodies(int count, int steps) {
   const auto chain = [&](int body, int step) {
     const int pair = body / 20, in_pair = body % 20;
     const bool is_near = in_pair < 2;
-    // Twenty bodies a place of the lattice's rows, the first two of them near each other.
+    // Of each twenty bodies, the first two share a place of the lattice and are near each other.
     const int place = pair * 20 + (is_near ? 0 : in_pair);
     Pose start{{4.0 * (place % side), 4.0 * (place / side % side), 4.0 * (place / (side * side))}, {}};
     const double gap = 0.004, sign = in_pair == 0 ? -1 : 1;
@@ -66,7 +66,7 @@ void many_bodies(int count, int steps) {
   print_row("move of " + balls, static_cast<std::size_t>(count), milliseconds(steps, step_to, move_all));
 }
 
-/// Turning balls in rows above a ground of two triangles, near which only the first two are.
+/// Turning balls in rows above a ground of two triangles. Only the first two balls are near the ground.
 void balls_above_a_ground(int steps) {
   constexpr double kHalfWidth = 1e4;
   const Shape ball = shape_of(scenes::unit_sphere(4));
@@ -92,7 +92,7 @@ void balls_above_a_ground(int steps) {
   print_row("earliest of 400 turning balls above a wide ground, two near it", first.contact.has_value(), cost);
 }
 
-/// Two balls beside each other that hardly move, alone and where a small body flies far past them.
+/// Two balls beside each other that hardly move: alone, and with a small body that flies far past them.
 void safe_steps_beside_a_far_flight(int steps) {
   const Shape ball = shape_of(scenes::unit_sphere(6));
   const Shape small(Mesh(4, {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}}),

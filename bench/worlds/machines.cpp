@@ -7,7 +7,7 @@ namespace tamis::worlds {
 
 namespace {
 
-/// The step of a machine, and back, and again.
+/// Asks about the step of a machine and the way back, in turn.
 void machine_row(const std::string& what, const scenes::Machine& machine, int steps) {
   World world(options());
   std::vector<Shape> shapes;

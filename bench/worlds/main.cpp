@@ -1,4 +1,4 @@
-// What bodies cost in a world: a Markdown table; medians over steps, each from where the last one ended.
+// The cost of bodies in a world: a Markdown table; medians over steps, each of which begins where the last one ended.
 // tamis_worlds [STEPS [WHICH [THREADS]]]
 #include <algorithm>
 #include <cstdio>
@@ -7,8 +7,8 @@
 
 #include "worlds/rows.hpp"
 
-/// Which: two, many (or one of its numbers of bodies), far, machines (or nut), plates, radii, room, or arm; all without
-/// one, or "all".
+/// WHICH: two, many (or one of its numbers of bodies), far, machines (or nut), plates, radii, room, arm, or all, the
+/// default.
 int main(int count, char** arguments) {
   using namespace tamis::worlds;
   const std::string named = count > 2 ? arguments[2] : "all", which = named == "all" ? "" : named;

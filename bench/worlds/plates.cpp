@@ -1,4 +1,4 @@
-// What slides on a plane while it turns.
+// Plates that turn on a plane.
 #include <array>
 #include <cstdio>
 
@@ -15,7 +15,7 @@ std::vector<Point> scaled(std::vector<Point> points, double by) {
   return points;
 }
 
-/// As a body with this rotation vector has it.
+/// The direction `in_body` of a body with this rotation vector, in world coordinates.
 Point direction_of(const Point& rotation, const Point& in_body) {
   const RigidPath path({in_body}, {0}, {{{{{0, 0, 0}, rotation}, {{0, 0, 0}, rotation}}}});
   Point direction{};
@@ -24,7 +24,7 @@ Point direction_of(const Point& rotation, const Point& in_body) {
   return direction;
 }
 
-/// A plate that turns on another one, in a plane askew, apart by `gap` or by what rounding leaves of that.
+/// A plate that turns on another one, in an oblique plane. They are apart by `gap`, up to rounding.
 void plate_on_plate(double gap, int steps) {
   const scenes::Shape plate = sheet(16, 0.125, [](double, double) { return 0.0; });
   const Point askew{0.3, 0.2, 0.5};

@@ -1,4 +1,4 @@
-// Many thick bodies that are all near others.
+// Many thick bodies, each near others.
 #include <cmath>
 
 #include "worlds/rows.hpp"
@@ -7,7 +7,7 @@ namespace tamis::worlds {
 
 namespace {
 
-/// A row of cubes that shake, each as near to the next as both radii nearly reach.
+/// A row of cubes that shake. The gap between neighbours is little more than the sum of their radii.
 void thick_cubes(const std::string& what, int count, int steps, const std::function<double(int)>& radius) {
   constexpr double kGap = 0.02;
   const Shape cube = shape_of(scenes::unit_cube(1));

@@ -15,8 +15,8 @@ std::vector<Point> moved(std::vector<Point> points, const Point& by) {
   return points;
 }
 
-/// A cloth just above the floor of a large room, in waves; it slides, and sinks a little in each step, so that some of
-/// it touches.
+/// A wavy cloth just above the floor of a large room. It slides, and sinks a little in each step, so that parts of it
+/// touch.
 struct Cloth {
   static constexpr double kEdge = 0.01;
   scenes::Shape shape = sheet(100, kEdge, [](double x, double y) {
@@ -27,7 +27,7 @@ struct Cloth {
   std::vector<Point> end(int step) const { return moved(shape.points, {0.1 * kEdge * (step + 1), 0, -0.1 * kEdge}); }
 };
 
-/// The cloth and so much of the floor as is under it, in one mesh: what the contacts between them cost by themselves.
+/// The cloth and the part of the floor under it, in one mesh: the cost of the contacts between them alone.
 void cloth_on_its_part_of_the_floor(const Cloth& cloth, int steps) {
   scenes::Shape all = sheet(121, 0.01, floor_height);
   const std::vector<Point> floor = all.points;

@@ -1,4 +1,4 @@
-// What the rows of the table are made with.
+// Helpers for the rows of the table, and the functions that print them.
 #pragma once
 #include <functional>
 #include <string>
@@ -19,13 +19,13 @@ Cost milliseconds(int steps, const std::function<void(int)>& move, const std::fu
 
 void print_row(const std::string& what, std::size_t answers, const Cost& cost);
 
-/// With how many threads all rows are made: 1 at first.
+/// Sets the number of threads for all rows. The default is 1.
 void set_threads(int threads);
 Options options();
 
-/// A grid of `cells` x `cells` squares of side `edge`, in the middle, at height(x, y).
+/// A grid of `cells` x `cells` squares of side `edge`, centred at the origin, with height(x, y).
 scenes::Shape sheet(Index cells, double edge, const std::function<double(double, double)>& height);
-/// A floor in waves: its height.
+/// The height of a wavy floor.
 double floor_height(double x, double y);
 Shape shape_of(const scenes::Shape& shape);
 

@@ -1,4 +1,5 @@
-// Two bodies that move, and who is asked when they first touch. The answer is compared before its time counts.
+// Pairs of moving bodies, and the contenders that find when two bodies first touch. Answers are compared with the truth
+// before times count.
 #pragma once
 #include <memory>
 #include <string>
@@ -9,7 +10,7 @@
 namespace tamis::bench {
 
 /// x goes to R(t turn) x + from + t (to - from), t in [0,1]: constant speed about a fixed axis through the origin of
-/// the body, by less than half a turn. That is what FCL (InterpMotion), Bullet and parry mean by a motion, too.
+/// the body, by less than half a turn. Motions of FCL (InterpMotion), Bullet and parry have this form, too.
 struct MovingBody {
   scenes::Shape shape;
   Point from, to, turn;
@@ -21,18 +22,19 @@ struct MovingPair {
 
 struct BodyScene {
   std::string name;
-  bool is_convex;  ///< both bodies: what is between their corners is theirs, and their faces are its surface
+  bool is_convex;  ///< both bodies are the convex hulls of their corners, with the faces as surface
   bool turns;
   std::vector<MovingPair> pairs;
 };
 
-/// Those of each scene: of meshes a tenth, at least one.
+/// The scenes, with `pairs` pairs each; scenes of meshes have a tenth, at least one.
 std::vector<BodyScene> body_scenes(int pairs);
 
-/// By conservative advancement in long double over all pairs of features (tests/oracle). Above 1: never.
+/// The first contact, by conservative advancement in long double over all pairs of features (tests/oracle). Above 1:
+/// never.
 double true_first_contact(const MovingPair& pair);
 
-/// Nothing touches, and what a contender says where it has no answer.
+/// Returned if nothing touches, and by a contender that has no answer.
 constexpr double kNever = 2, kNoAnswer = -1;
 
 class BodyContender {
@@ -40,9 +42,10 @@ class BodyContender {
   virtual ~BodyContender() = default;
   virtual std::string name() const = 0;
   virtual bool knows(const BodyScene& scene) const = 0;
-  /// Makes what is made once for a shape; not timed.
+  /// Takes a pair and builds what its shapes need once; not timed.
   virtual void take(const MovingPair& pair, bool is_convex) = 0;
-  /// When the pair taken first touches; the motion is handed over here, as in each step.
+  /// The time at which the taken pair first touches. Includes handing over the motion, as a simulator does in each
+  /// step.
   virtual double first_contact() = 0;
 };
 

@@ -50,7 +50,7 @@ class Bullet final : public BodyContender {
     btTransform from, to;
   };
 
-  /// With next to no margin, as it makes the body larger; with none btGjkConvexCast misses most.
+  /// The margin enlarges the body, so it is tiny. Without a margin, btGjkConvexCast misses most contacts.
   static std::unique_ptr<btConvexHullShape> hull_of(const MovingBody& body) {
     auto hull = std::make_unique<btConvexHullShape>();
     for (const Point& p : body.shape.points) hull->addPoint(vector_of(p), false);

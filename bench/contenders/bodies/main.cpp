@@ -13,7 +13,7 @@
 namespace tamis::bench {
 namespace {
 
-/// Of the step: a time is right if it is off by no more.
+/// A time is right if it is off by no more than this part of the step.
 constexpr double kRight = 1e-3;
 
 BodyContenders all_contenders() {
@@ -49,7 +49,7 @@ struct Row {
   }
 };
 
-/// The least of some runs, after one that is not timed.
+/// The least time of `repeat` runs.
 double microseconds_of(BodyContender& contender, int repeat) {
   double least = 1e300;
   for (int i = 0; i < repeat; ++i) {
@@ -88,7 +88,7 @@ std::vector<double> truths_of(const BodyScene& scene) {
   return truths;
 }
 
-/// Is Tamis right about all?
+/// Prints a row for each contender. Returns whether Tamis is right about all pairs.
 bool compare(const BodyScene& scene, const BodyContenders& contenders, int repeat) {
   const std::vector<double> truths = truths_of(scene);
   const auto touching = std::ranges::count_if(truths, [](double truth) { return truth <= 1; });
@@ -105,7 +105,7 @@ bool compare(const BodyScene& scene, const BodyContenders& contenders, int repea
   return is_right;
 }
 
-/// What all say of one pair.
+/// Prints the answers of all contenders for one pair.
 void show(const BodyScene& scene, const BodyContenders& contenders, std::size_t number) {
   const MovingPair& pair = scene.pairs.at(number);
   fmt::print("\n{}, pair {}\n{:<36} {:.12g}\n", scene.name, number, "oracle", true_first_contact(pair));

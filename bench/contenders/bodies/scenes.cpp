@@ -23,7 +23,7 @@ void stretch(scenes::Shape& shape, const Point& by) {
     for (std::size_t k = 0; k < 3; ++k) p[k] *= by[k];
 }
 
-/// Rings of `sectors` corners about z at the heights in [-1, 1], as far from it as radius(height, angle) says.
+/// Rings of `sectors` corners about the z axis, at heights in [-1, 1] and at the distance radius(height, angle).
 template <class Radius>
 scenes::Shape revolved(Index rings, Index sectors, const Radius& radius) {
   scenes::Shape shape;
@@ -39,7 +39,7 @@ scenes::Shape revolved(Index rings, Index sectors, const Radius& radius) {
   return shape;
 }
 
-/// A drum whose wall is bent outwards, closed by cones: convex, of 42 corners and 80 triangles.
+/// A drum with a wall that is bent outwards, closed by cones: convex, of 42 corners and 80 triangles.
 scenes::Shape barrel() {
   constexpr Index kRings = 5, kSectors = 8;
   scenes::Shape shape = revolved(kRings, kSectors, [](double z, double) { return std::sqrt(1.2 - z * z); });
@@ -75,7 +75,7 @@ scenes::Shape plate() {
   return shape;
 }
 
-/// A thread of two turns, 0.1 deep.
+/// A screw thread of two turns, 0.1 deep.
 scenes::Shape thread(double radius) {
   return revolved(20, 16,
                   [&](double z, double angle) { return radius + 0.05 * std::cos(2 * std::numbers::pi * z - angle); });
@@ -91,11 +91,11 @@ scenes::Shape turned_somehow(scenes::Shape shape, Random& random) {
   return shape;
 }
 
-/// Of a step, in rad: Bullet turns nothing further.
+/// The largest turns of a step, in rad. Bullet turns bodies by no more than the first.
 constexpr double kMostOfBullet = std::numbers::pi / 4, kMost = 2.8;
 
-/// Bodies of radius at most `radius`, apart at the start, one of which goes some way past or into the other; each turns
-/// by up to `turn`.
+/// Two bodies of radius at most `radius`, apart at the start. One goes past the other or into it; each turns by up to
+/// `turn`.
 MovingPair meeting(scenes::Shape first, scenes::Shape second, double radius, double turn, Random& random) {
   const Point away = direction(random), aside = direction(random);
   const Point start = scaled(away, 2.01 * radius + random.between(0, 1));

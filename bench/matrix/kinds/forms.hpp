@@ -8,13 +8,13 @@
 
 namespace tamis::matrix {
 
-/// Like the sine of so many whole turns, of two parabolas a turn.
+/// Approximates the sine of 2 pi `turns` by two parabolas a turn.
 inline double wave(double turns) {
   const double part = turns - std::floor(turns);
   return part < 0.5 ? 16 * part * (0.5 - part) : -16 * (part - 0.5) * (1 - part);
 }
 
-/// On the unit circle of x and y, nearly even in `turns`.
+/// A point on the unit circle of x and y; its speed in `turns` is nearly constant.
 inline Point on_circle(double turns) { return scenes::unit({wave(turns + 0.25), wave(turns), 0}); }
 
 /// 0 before `low`, 1 after `high`, smooth between.
@@ -23,13 +23,14 @@ inline double ramp(double x, double low, double high) {
   return t * t * (3 - 2 * t);
 }
 
-/// Vertices of a surface.
+/// The numbers of a surface's vertices.
 struct Grid {
   Index rows, columns;
   bool closes_rows = false, closes_columns = false;  ///< the first row, or column, follows the last
 };
 
-/// `at_start(u, v)`, `at_end(u, v)`: u from row to row, v within one, each from 0 to 1.
+/// Adds a surface with vertices at_start(u, v) and at_end(u, v): u goes from row to row, v along a row, each from 0
+/// to 1.
 template <class AtStart, class AtEnd>
 void add_surface(scenes::Scene& scene, const Grid& grid, Index group, const AtStart& at_start, const AtEnd& at_end) {
   const Index first = scene.vertex_count(), rows = grid.rows - !grid.closes_rows,
@@ -48,7 +49,7 @@ void add_surface(scenes::Scene& scene, const Grid& grid, Index group, const AtSt
     }
 }
 
-/// About `curve(u)`, `turns` of the way around it. REQUIRES: it never goes along the third axis, or nearly.
+/// The point at `turns` around a tube about curve(u). REQUIRES: the curve never goes along the third axis, or nearly.
 template <class Curve>
 Point on_tube(const Curve& curve, double radius, double u, double turns) {
   using namespace scenes;
@@ -66,7 +67,7 @@ void add_tube(scenes::Scene& scene, const Grid& grid, double radius, Index group
       [&](double u, double v) { return on_tube(at_end, radius, u, v); });
 }
 
-/// How many rows of cells make so many triangles; and how many of a square of cells.
+/// The number of rows of `columns` cells that make so many triangles, and the side of such a square in vertices.
 inline Index rows_for(Index triangles, Index columns) { return std::max(Index{3}, triangles / (2 * columns)); }
 inline Index side_for(Index triangles) {
   return std::max(Index{3}, static_cast<Index>(std::lround(std::sqrt(triangles / 2.0))) + 1);

@@ -9,10 +9,10 @@ namespace tamis::matrix {
 namespace {
 
 constexpr double kGrading = 1000;  // widest cell to narrowest
-constexpr double kRipple = 0.01;   // of the sheets' half width
+constexpr double kRipple = 0.01;   // in half widths of a sheet
 constexpr double kFall = 0.03;
 
-/// Lines from -1 to 1, closest in the middle: integer powers only, so that every machine makes the same bits.
+/// Lines from -1 to 1, closest in the middle. Uses integer powers only, so that every machine makes the same bits.
 std::vector<double> graded_lines(Index count) {
   std::vector<double> lines;
   for (Index i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// Long thin things: chains, ropes, hair, fibres.
+// Long thin bodies: chains, ropes, hair, fibres.
 #include "matrix/kinds/forms.hpp"
 #include "matrix/kinds/kinds.hpp"
 #include "scenes/random.hpp"

@@ -57,7 +57,7 @@ void add_balls(World& world, Random& random) {
   }
 }
 
-/// Adds the links. Neighbours meet in their joint and the first link stands on the floor, so these may touch.
+/// Adds the links. Neighbours meet in their joint, and the first link stands on the floor: such contacts do not count.
 std::vector<BodyId> add_arm(World& world, const Arm& robot, BodyId floor) {
   std::vector<BodyId> links;
   for (std::size_t k = 0; k < Arm::kJoints; ++k) {

@@ -1,5 +1,5 @@
 // Would catch: a kernel that reads or writes outside its arrays, as lanes of empty features once did (vertex -1), and
-// compressed stores past the padding. Every array a kernel sees lies against a page that nobody may touch.
+// compressed stores past the padding. Every array of a kernel lies against a forbidden page.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -72,14 +72,14 @@ class GuardedTree {
   std::deque<Guarded<Index>> groups_;
 };
 
-/// From every block of search.a; what is found goes to `pairs`.
+/// Searches from every leaf block of search.a; pairs go to `pairs`.
 void find(Search& search, void (*kernel)(Search&, int), PairBuffer& pairs) {
   search.pairs = &pairs;
   search.flush = [](Search&) { FAIL() << "the soup is too large for one buffer"; };
   for (int block = 0; block < search.a.leaf_blocks; ++block) kernel(search, block);
 }
 
-/// Pairs that the kernels leave after search, clip, filters and roots.
+/// Numbers of pairs that the kernels leave after search, clip, filters and roots.
 std::array<int, 4> run(const Kernels& kernels, PairKind kind, const GuardedTree& a, const GuardedTree& b,
                        const MotionView& motion, Guard guard) {
   const auto empty = std::make_unique<PairBuffer>();
@@ -96,7 +96,7 @@ std::array<int, 4> run(const Kernels& kernels, PairKind kind, const GuardedTree&
   return {boxes.data()->count, slab_count, filtered.data()->count, left};
 }
 
-/// The way of distances at rest: pairs that the search leaves.
+/// The search at rest: the number of pairs that it finds.
 int run_at_rest(const Kernels& kernels, PairKind kind, const GuardedTree& a, const GuardedTree& b, Guard guard) {
   const auto empty = std::make_unique<PairBuffer>();
   const Guarded<PairBuffer> at_rest({empty.get(), 1}, guard);
@@ -106,7 +106,7 @@ int run_at_rest(const Kernels& kernels, PairKind kind, const GuardedTree& a, con
   return at_rest.data()->count;
 }
 
-/// The way of step lengths: pairs that the search leaves, and of these the ones that may end the step.
+/// The kernels of step lengths: the number of pairs that the search finds, and of those that may end the step.
 std::array<int, 2> run_near(const Kernels& kernels, PairKind kind, const GuardedTree& a, const GuardedTree& b,
                             const MotionView& motion, Guard guard) {
   const auto empty = std::make_unique<PairBuffer>();
@@ -119,7 +119,7 @@ std::array<int, 2> run_near(const Kernels& kernels, PairKind kind, const Guarded
   return {found, near.data()->count};
 }
 
-/// The way of a list of pairs, each of which is answered or left undecided.
+/// The kernel of pair lists: each pair must be answered or left undecided.
 void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, const Soup& soup, Guard guard) {
   const Guarded<Point> start(soup.start, guard), end(soup.end, guard);
   const StepRows vertices{start.data()->data(), end.data()->data(), 3, 3};
@@ -143,7 +143,7 @@ void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, co
   }
 }
 
-/// The way of pairs within a separation: all that the axes leave come to an answer or stay undecided.
+/// The kernels with a separation: each pair that cull_apart leaves must be answered or left undecided.
 void run_within(const Kernels& kernels, std::size_t kind, const PairBuffer& pairs, MotionView motion, Guard guard) {
   const auto empty = std::make_unique<PairBuffer>();
   const auto unused = std::make_unique<WithinScratch>();
@@ -163,7 +163,8 @@ void run_within(const Kernels& kernels, std::size_t kind, const PairBuffer& pair
   }
 }
 
-/// The clips of the kinds that cannot cross, and the distances at rest: of vertices of the soup, in any order.
+/// The clips of the kinds that cannot cross, and distances at rest, for pairs made from vertices of the soup in any
+/// order.
 void run_other_kinds(const Kernels& kernels, const Soup& soup, MotionView motion, Guard guard) {
   const auto count = static_cast<int>(soup.start.size());
   const auto pairs = std::make_unique<PairBuffer>(), empty = std::make_unique<PairBuffer>();
@@ -208,7 +209,7 @@ TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
     edges.set_features(std::span<const Edge>(soup.edges));
     faces.set_features(std::span<const Face>(soup.faces));
     motion.residuals = motion.box_vertices;
-    // Groups that may all touch: they are read, and change nothing.
+    // The kernels read groups, but all groups may touch: so they change no answer.
     std::vector<Index> group_of_vertex;
     for (const Index v : soup.points) group_of_vertex.push_back(v / 3 % 2);
     const std::vector<std::uint8_t> may_touch(4, 1);

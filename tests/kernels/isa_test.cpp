@@ -1,4 +1,4 @@
-// Every instruction set that is built has a name, by which tests and users ask for it.
+// Tests and users ask for instruction sets by name: every one that is built has a name.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -9,7 +9,7 @@
 namespace tamis {
 namespace {
 
-// Bug: a set without a name, which every test would leave out as one that the machine has not.
+// Bug: an instruction set without a name, which every test would skip as if the machine lacked it.
 TEST(InstructionSets, ThatAreBuiltHaveNames) {
   std::istringstream built(TAMIS_ISAS);
   for (std::string name; std::getline(built, name, ',');) EXPECT_NO_THROW(isa_from_name(name));

@@ -19,7 +19,7 @@ using Coordinate = std::function<float(Rng&)>;
 float anywhere(Rng& rng) { return std::uniform_real_distribution<float>(-1, 1)(rng); }
 float on_a_grid(Rng& rng) { return static_cast<float>(rng() % 5) / 4 - 0.5f; }
 float in_one_place(Rng&) { return 0.25f; }
-/// Half of the way to the rest is where half of the rest is.
+/// Powers of two from 1 to 2^-99, which crowd towards 0 at every scale.
 float ever_closer(Rng& rng) { return std::ldexp(1.0f, -static_cast<int>(rng() % 100)); }
 float mostly_equal(Rng& rng) { return rng() % 50 == 0 ? anywhere(rng) : 0.0f; }
 
@@ -29,7 +29,7 @@ struct Case {
 
 constexpr std::size_t kBefore = 3, kAfter = 40;
 
-/// Centers with others around them that must stay.
+/// The centers that are split, with others before and after them that must not change.
 struct Items {
   CenterStore store;
   Centers all, in_question;
@@ -38,7 +38,7 @@ struct Items {
       : store(kBefore + count + kAfter, axes), all(store.view()), in_question(all.from(kBefore)) {}
 };
 
-/// With `axis` as the longest axis.
+/// Places the items so that `axis` is their longest axis.
 void place(const Items& items, std::size_t count, int axis, const Coordinate& coordinate, Rng& rng) {
   for (std::size_t i = 0; i < items.store.features().size(); ++i) {
     for (int k = 0; k < items.all.axes; ++k) items.all.at[k][i] = coordinate(rng) * (k == axis ? 1.0f : 0.5f);
@@ -49,7 +49,8 @@ void place(const Items& items, std::size_t count, int axis, const Coordinate& co
   items.in_question.at[axis][longest + 1] = 1;
 }
 
-/// Features by their place along the axis, those in front first where they are equal; then each part in its order.
+/// The expected order: features sorted stably by their place along the axis and cut at `lower`, then each part in its
+/// original order.
 std::vector<Index> features_in_order(const Centers& centers, std::size_t count, std::size_t lower, int axis) {
   std::vector<Index> order(centers.feature, centers.feature + count);
   const float* along = centers.at[axis] - kBefore;
@@ -120,7 +121,7 @@ TEST_P(Splitting, AnyRankAmongNumbersOfWhichManyAreEqual) {
   Rng rng(2);
   for (int repeat = 0; repeat < 2000; ++repeat) {
     const std::size_t count = 2 + rng() % 3000, lower = 1 + rng() % (count - 1), places = 1 + rng() % 100;
-    const auto on_places = [&](Rng& r) {  // more in the first ones
+    const auto on_places = [&](Rng& r) {  // the first places are more likely
       const double u = std::uniform_real_distribution<double>(0, 1)(r);
       return static_cast<float>(std::floor(u * u * u * static_cast<double>(places)) / static_cast<double>(places)) -
              0.5f;

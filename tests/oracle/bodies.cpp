@@ -25,7 +25,7 @@ RealPoint position(const Vertex& vertex, Real t) {
   return x;
 }
 
-/// The vertex is never faster: with |x| <= r in a link's frame, R x + p is by |theta'| r + |p'| at most.
+/// A bound of the vertex' speed: each link, with |x| <= r in its frame, adds at most |theta'| r + |p'| to it.
 Real speed(const Vertex& vertex) {
   constexpr Point kOrigin{0, 0, 0};
   Real speed = way(vertex.start(), vertex.end()),
@@ -110,7 +110,7 @@ class Candidates {
   std::vector<Candidate> all_;
 };
 
-/// A box around the vertices, where they may be at any time.
+/// A box that contains the vertices at all times.
 struct Reached {
   RealPoint low{1e300L, 1e300L, 1e300L}, high{-1e300L, -1e300L, -1e300L};
 

@@ -20,7 +20,7 @@ Vector cross(const Vector& a, const Vector& b) {
 
 constexpr int kNoBits = 2000;
 
-/// The exponent of the last set bit of a double; above all of them for zero.
+/// The exponent of the last set bit of a double; for zero kNoBits, which is above all exponents.
 int lowest_exponent(double x) {
   if (x == 0) return kNoBits;
   int exponent = 0;
@@ -40,8 +40,8 @@ Integer scaled_to_integer(double x, int shift) {
   return result >> static_cast<unsigned>(-exponent);  // the bits shifted out are zero
 }
 
-/// The four points as polynomials that run through `times` while t runs through [0,1], with all lengths multiplied by
-/// `unit` so that coefficients are integers.
+/// The four points as polynomials that go through `times` while t goes from 0 to 1. All lengths are scaled so that
+/// coefficients are integers.
 struct IntegerMotion {
   std::array<Vector, 4> points;
   Integer unit = 1;  ///< the length 2^`exponent`
@@ -72,7 +72,7 @@ IntegerMotion integer_motion(const Motion& motion, const Times& times, double se
   return result;
 }
 
-/// The moving triangles of which one must contain the origin.
+/// The moving triangles: the features touch when one of them contains the origin.
 std::vector<Triangle> triangles_of(PairKind kind, const std::array<Vector, 4>& p) {
   if (kind == PairKind::vertex_face) return {{p[1] - p[0], p[2] - p[0], p[3] - p[0]}};
   if (kind == PairKind::vertex_edge) return {{p[1] - p[0], p[2] - p[0], p[2] - p[0]}};
@@ -84,7 +84,7 @@ std::size_t vertex_count(PairKind kind) {
   return kind == PairKind::vertex_vertex ? 2 : kind == PairKind::vertex_edge ? 3 : 4;
 }
 
-/// All of one feature lies beyond all of the other on an axis, at both ends of the step and so all the time.
+/// Does one feature lie beyond the other along an axis at both ends of the step, and thus all the time?
 bool boxes_are_apart(PairKind kind, const Motion& m) {
   const std::size_t second = kind == PairKind::edge_edge ? 2 : 1, count = vertex_count(kind);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -105,7 +105,7 @@ bool boxes_are_apart(PairKind kind, const Motion& m) {
 Condition positive(Polynomial p) { return {std::move(p), Relation::positive}; }
 Condition not_negative(Polynomial p) { return {std::move(p), Relation::not_negative}; }
 
-/// q x r = 0 and q.r <= 0. Asked at the roots of one component that is not always zero, where the others must vanish.
+/// q x r = 0 and q.r <= 0. Looks at the roots of one component that is not always zero: there the others must vanish.
 bool side_meets_origin(const Vector& q, const Vector& r, Range range) {
   const Vector n = cross(q, r);
   for (const Polynomial& component : n)
@@ -121,11 +121,12 @@ bool side_meets_origin(const Vector& q, const Vector& r, Range range) {
 
 bool interior_meets_origin(const Triangle& q, Range range) {
   const Vector n01 = cross(q[0], q[1]), n12 = cross(q[1], q[2]), n20 = cross(q[2], q[0]);
-  // Where det = 0 the three are parallel, so the third product is positive with the other two.
+  // If det = 0, the three cross products are parallel: so the third dot product is positive if the other two are.
   return holds_somewhere(dot(n01, q[2]), {positive(dot(n01, n12)), positive(dot(n12, n20))}, range);
 }
 
-/// Distance to a corner, or to the inner points of a side whose foot of the perpendicular lies on it.
+/// Does the origin come within the distance of corner q, or of the side where the foot of its perpendicular lies
+/// inside?
 bool side_within(const Vector& q, const Vector& r, const Polynomial& squared, Range range) {
   const Vector side = r - q, n = cross(q, r);
   return holds_somewhere({}, {not_negative(squared - dot(q, q))}, range) ||
@@ -134,7 +135,7 @@ bool side_within(const Vector& q, const Vector& r, const Polynomial& squared, Ra
              range);
 }
 
-/// Distance to the inner points of the triangle whose foot of the perpendicular lies in it.
+/// Does the origin come within the distance of the triangle where the foot of its perpendicular lies inside?
 bool interior_within(const Triangle& q, const Polynomial& squared, Range range) {
   const Vector n = cross(q[1] - q[0], q[2] - q[0]);
   const Polynomial height = dot(n, q[0]);
@@ -167,7 +168,7 @@ Rational squared_distance_to_side(const Values& q, const Values& r) {
   return dot(n, n) / dot(side, side);
 }
 
-/// Of the origin to the triangle at time t.
+/// Squared distance of the origin from the triangle at time t.
 Rational squared_distance(const Triangle& triangle, const Rational& t) {
   const std::array<Values, 3> q{at(triangle[0], t), at(triangle[1], t), at(triangle[2], t)};
   const Values n = cross(q[1] - q[0], q[2] - q[0]);
@@ -182,7 +183,7 @@ Rational squared_distance(const Triangle& triangle, const Rational& t) {
   return is_inside ? Rational(height * height / dot(n, n)) : nearest;
 }
 
-/// The corners move no faster than this: the largest sum of a velocity's components.
+/// A bound of the corners' speed: the largest sum of the |components| of a velocity.
 Rational speed_of(const Triangle& triangle) {
   Rational speed = 0;
   for (const Vector& corner : triangle) {
@@ -194,8 +195,8 @@ Rational speed_of(const Triangle& triangle) {
 
 enum class Near { no, yes, unknown };
 
-/// The plain answer for most pairs, which spares them the algebra: a distance falls no faster than the corners move, so
-/// one looked up in the middle of a part of the step says something of all of that part.
+/// Answers for most pairs without algebra: a distance falls no faster than the corners move, so the distance in the
+/// middle of a part of the step bounds it in the whole part.
 Near near_by_sampling(const Triangle& triangle, const Integer& separation, const Rational& from, const Rational& to,
                       int halvings) {
   const Rational middle = (from + to) / 2, reach = separation + speed_of(triangle) * (to - from) / 2;
@@ -219,7 +220,7 @@ struct WithinQuestion {
     squared = Polynomial({separation * separation});
   }
 
-  /// By algebra.
+  /// Decides one triangle by algebra.
   bool holds_for(const Triangle& q) const {
     for (std::size_t i = 0; i < 3; ++i)
       if (side_within(q[i], q[(i + 1) % 3], squared, range)) return true;
@@ -232,7 +233,8 @@ struct WithinQuestion {
   Polynomial squared;
 };
 
-/// Of the part [from, to] of the question's times. The nearest of the triangles counts, the fastest bounds all.
+/// For the part [from, to] of the question's times. The nearest triangle gives the distance, the fastest one bounds the
+/// speed of all.
 Always stays_within(const WithinQuestion& ask, const Rational& from, const Rational& to, int halvings) {
   const Rational middle = (from + to) / 2;
   Rational squared = squared_distance(ask.triangles[0], middle), speed = 0;

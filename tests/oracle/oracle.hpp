@@ -1,13 +1,13 @@
 // The oracle: the exact answer to "do these two closed features touch?", slow, and obviously right. It shares no code
-// with the library: only the types of the public headers.
+// with the library, only the types of the public headers.
 //
-// A feature pair is one moving triangle and the origin. Vertex p and face abc touch when the origin lies in the
-// triangle (a-p, b-p, c-p). Edges a0a1 and b0b1 touch when it lies in the parallelogram of the differences a_i - b_j,
-// that is in one of the two halves of it. A vertex and an edge, or two vertices, are a triangle that lies in a line, or
-// in a point. And the origin lies in a triangle, degenerate or not, when it lies
+// A feature pair becomes a moving triangle and the origin. Vertex p and face abc touch when the origin lies in the
+// triangle (a-p, b-p, c-p). Edges a0a1 and b0b1 touch when the origin lies in the parallelogram of the differences
+// a_i - b_j, that is in one of its two halves. For a vertex and an edge the triangle lies in a line, for two vertices
+// in a point. The origin lies in a triangle, degenerate or not, when it lies
 //   on a side q r:   q x r = 0 and q.r <= 0, or
 //   in the interior: det = 0 and the three cross products of the corners point the same way.
-// All are signs of polynomials in t, which somewhere.hpp decides.
+// These are conditions on signs of polynomials in t, which somewhere.hpp decides.
 #pragma once
 #include <array>
 
@@ -16,7 +16,7 @@
 namespace tamis::oracle {
 
 /// Four points at t=0 and at t=1. vf: the point, then a, b, c. ee: a0, a1, b0, b1. ve: the point, then a, b. vv: two
-/// points. What a kind does not use is ignored.
+/// points. Points that a kind does not use are ignored.
 struct Motion {
   std::array<Point, 4> start, end;
 };
@@ -34,12 +34,13 @@ bool touches(PairKind kind, const Motion& motion, const Times& times = {});
 /// Is the Euclidean distance of the closed features <= separation at some of these times?
 bool comes_within(PairKind kind, const Motion& motion, double separation, const Times& times = {});
 
-/// The same without the look at sampled distances that answers most questions first: for the test of that look.
+/// comes_within without the sampled distances that answer most questions: for the test of sampling.
 bool comes_within_by_algebra(PairKind kind, const Motion& motion, double separation, const Times& times = {});
 
 enum class Always { no, yes, unknown };
-/// Is the distance <= separation at all of these times? By looks at single times, each of which says something of those
-/// about it, for a distance grows no faster than the corners move. Unknown where it comes too near to the separation.
+/// Is the distance <= separation at all of these times? Samples single times: a distance grows no faster than the
+/// corners move, so each sample bounds the distance at the times around it. Unknown if that comes too near to the
+/// separation.
 Always stays_within(PairKind kind, const Motion& motion, double separation, const Times& times);
 
 }  // namespace tamis::oracle

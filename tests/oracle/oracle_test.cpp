@@ -1,5 +1,5 @@
-// The oracle is the judge of everything else: here it is judged itself, by cases a reader can check, by symmetries,
-// and by the published exact answers.
+// The oracle judges everything else. Here it is judged itself: by cases that a reader can check, by symmetries, and by
+// the published exact answers.
 #include "oracle/oracle.hpp"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ TEST(Oracle, EdgesTouchCrosswiseCollinearParallelAndAtTheirEnds) {
   EXPECT_TRUE(touches(kEe, crossing({3, 2, 1}, {3, 2, 1}, {3, 2, 1}, {3, 2, 1})));
 }
 
-// Edge b turns about edge a, which lies on the x axis; where it passes over a its height is (2t-1)^2 / (2t+3).
+// Edge b turns about edge a, which lies on the x axis. Where b passes over a, its height is (2t-1)^2 / (2t+3).
 TEST(Oracle, FindsADoubleRootThatASignChangeTestMisses) {
   const Point a0{-1, 0, 0}, a1{1, 0, 0};
   Motion m{{{a0, a1, {0, -1, -1}, {0, 2, 3}}}, {{a0, a1, {0, -1, 1}, {0, 4, -3}}}};
@@ -103,7 +103,7 @@ TEST(Oracle, SymmetriesKeepTheAnswer) {
         const bool answer = touches(kind, m);
         EXPECT_EQ(answer, touches(kind, permuted(kind, m, random))) << describe(kind, m);
         EXPECT_EQ(answer, touches(kind, Motion{m.end, m.start})) << describe(kind, m);
-        // Upwards: a nudge of zero is the smallest double.
+        // Scales up, not down, because a nudge of zero is the smallest double.
         EXPECT_EQ(answer, touches(kind, placed(m, {"", 0x1p900, 0}))) << describe(kind, m);
         if (i % 4 == 0) {
           EXPECT_EQ(answer, comes_within(kind, m, 0)) << describe(kind, m);
@@ -122,7 +122,7 @@ TEST(Oracle, KnownContactsTouch) {
 }
 
 TEST(Oracle, DistanceIsThatToCornersSidesAndInside) {
-  // Over the inside, beside a side, beside a corner (3-4-5).
+  // The vertex is over the inside, beside a side, and beside a corner (3-4-5 triangles).
   EXPECT_TRUE(comes_within(kVf, falling(0.25, 0.25, 2, 1), 1));
   EXPECT_FALSE(comes_within(kVf, falling(0.25, 0.25, 2, 1 + 0x1p-52), 1));
   EXPECT_TRUE(comes_within(kVf, falling(0.5, -3, 8, 4), 5));
@@ -135,7 +135,7 @@ TEST(Oracle, DistanceIsThatToCornersSidesAndInside) {
   EXPECT_FALSE(comes_within(kEe, parallel, 2.5));
 }
 
-// Bug: a look at a sampled distance that says more than it knows.
+// Bug: a conclusion from sampled distances that these do not prove.
 TEST(Oracle, SampledDistancesChangeNoAnswer) {
   Random random(4);
   long near = 0;

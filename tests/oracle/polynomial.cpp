@@ -20,7 +20,7 @@ int Polynomial::sign_at(const Rational& t) const {
 }
 
 std::vector<Integer> Polynomial::bernstein_coefficients() const {
-  // Each power of t times (1-t) + t as often as its degree lacks: c_i is the coefficient of t^i (1-t)^(n-i).
+  // Multiplies each power t^i by ((1-t) + t)^(n-i): c_i becomes the coefficient of t^i (1-t)^(n-i).
   std::vector<Integer> c = coefficients_;
   for (std::size_t k = 1; k < c.size(); ++k)
     for (std::size_t j = k; j > 0; --j) c[j] += c[j - 1];
@@ -60,7 +60,7 @@ Polynomial Polynomial::on_part(const Integer& n, unsigned k) const {
 }
 
 double Polynomial::approximate_root() const {
-  // As doubles times one power of two, which keeps them in range.
+  // Converts the coefficients to doubles, divided by one power of two that keeps them in range.
   std::size_t bits = 0;
   for (const Integer& c : coefficients_) bits = std::max(bits, mpz_sizeinbase(c.get_mpz_t(), 2));
   std::vector<double> c;

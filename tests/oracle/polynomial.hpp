@@ -26,16 +26,17 @@ class Polynomial {
   const Integer& leading() const { return coefficients_.back(); }
 
   int sign_at(const Rational& t) const;
-  /// Of the coefficients in the Bernstein basis. The values on [0,1] are averages of these: other signs do not occur.
+  /// Signs of the coefficients in the Bernstein basis. The values on [0,1] are averages of these: other signs do not
+  /// occur.
   Signs signs_on_unit_interval() const;
-  /// True only if plain from those signs.
+  /// True only if the signs of the Bernstein coefficients prove it.
   bool never_vanishes_on_unit_interval() const;
-  /// The same coefficients differ in sign at one place only: [0,1] holds exactly one root, a simple one inside
+  /// Do the Bernstein coefficients change sign once? Then [0,1] holds exactly one root, a simple one in its interior
   /// (Descartes).
   bool changes_sign_once() const;
-  /// With the part [n, n+1] / 2^k of [0,1] mapped to [0,1]; times a power of two.
+  /// The polynomial with the part [n, n+1] / 2^k of [0,1] mapped to [0,1], times a power of two.
   Polynomial on_part(const Integer& n, unsigned k) const;
-  /// Near a root in (0,1), where doubles see one; not certain. REQUIRES: the values at 0 and 1 differ in sign.
+  /// A time near a root in (0,1), by bisection in doubles; not certain. REQUIRES: the values at 0 and 1 differ in sign.
   double approximate_root() const;
   Polynomial derivative() const;
   /// Divides by t and by t - 1 until neither end of [0,1] is a root. REQUIRES: not zero.

@@ -7,7 +7,8 @@
 namespace tamis::oracle {
 namespace {
 
-/// p, q, and the negated remainders of the division of the last two, until nothing remains; positive factors dropped.
+/// The sequence p, q, and then always the negated remainder of the last two, until that is zero. Drops positive
+/// factors.
 std::vector<Polynomial> signed_remainders(Polynomial p, Polynomial q) {
   std::vector<Polynomial> sequence{std::move(p)};
   while (!q.is_zero()) {
@@ -37,8 +38,8 @@ int tarski_query(const Polynomial& p, const Polynomial& q) {
 }
 
 /// With s the sign of q at a root, [q > 0] = (s + s^2) / 2 and [q >= 0] = (2 + s - s^2) / 2. The product of these over
-/// all conditions, summed over the roots, is a sum of Tarski queries of products of the q. Returns twice to the power
-/// of the number of conditions times the number of roots.
+/// all conditions, summed over the roots, is a sum of Tarski queries of products of the q. Returns 2^(number of
+/// conditions) times the number of roots at which all conditions hold.
 int weighted_queries(const Polynomial& p, std::span<const Condition> conditions, const Polynomial& q) {
   if (conditions.empty()) return tarski_query(p, q);
   const auto rest = [&](const Polynomial& factor) {
@@ -60,7 +61,7 @@ int count_roots(const Polynomial& p) { return tarski_query(p, one()); }
 
 bool holds_at_counted_root(const Polynomial& p, std::span<const Condition> conditions) {
   if (p.degree() == 0) return false;
-  // With one condition after the other: most questions end early.
+  // Adds one condition after the other: most questions end early.
   for (std::size_t count = 0; count <= conditions.size(); ++count)
     if (weighted_queries(p, conditions.first(count), one()) == 0) return false;
   return true;
@@ -85,8 +86,8 @@ bool holds_at(const Rational& t, const std::vector<Condition>& conditions) {
   });
 }
 
-/// Where [0,1] holds one simple root of p: a short part about it, and in it a shorter one, until every condition is
-/// plainly true there, or one is plainly false. Nothing if that takes too long: when a condition vanishes there, too.
+/// If [0,1] holds one simple root of p, narrows a part of [0,1] around it until all conditions are plainly true there
+/// or one is plainly false. Returns nothing if that takes too long, as when a condition vanishes at the root, too.
 std::optional<bool> holds_about_root(Polynomial p, std::vector<Condition> conditions) {
   constexpr unsigned kBits = 40;
   for (int round = 0; round < 3; ++round) {
@@ -96,7 +97,7 @@ std::optional<bool> holds_about_root(Polynomial p, std::vector<Condition> condit
     for (Condition& c : conditions) c.p = c.p.on_part(n, kBits);
     for (const int end : {0, 1})
       if (p.sign_at(end) == 0) return holds_at(end, conditions);
-    if (p.sign_at(0) == p.sign_at(1)) return std::nullopt;  // the approximation was none
+    if (p.sign_at(0) == p.sign_at(1)) return std::nullopt;  // the approximation missed the root
     if (std::any_of(conditions.begin(), conditions.end(), never_holds)) return false;
     if (std::all_of(conditions.begin(), conditions.end(), always_holds)) return true;
   }
@@ -109,8 +110,8 @@ bool holds_at_inner_root(const Polynomial& zero, const std::vector<Condition>& c
   return holds_at_counted_root(p, conditions);
 }
 
-/// Cuts [0,1] into parts with at most one root of a polynomial, and with none in the first and the last part: so the
-/// cuts hold a point between 0, any two neighbouring roots, and 1.
+/// Cuts [0,1] into parts with at most one root of a polynomial each, and none in the first and the last part. So the
+/// cuts have a point between any two neighbours among 0, the roots and 1.
 class Cuts {
  public:
   /// REQUIRES: p is not zero, and has no root at 0 or 1.
@@ -136,8 +137,8 @@ class Cuts {
   std::vector<Rational> times_;
 };
 
-/// Without an equation: all signs are constant between the roots of the conditions' polynomials, so a point between
-/// each two of them is tried, and, for conditions that allow zero, the roots themselves.
+/// Decides conditions without an equation. All signs are constant between the roots of the conditions' polynomials: so
+/// tries a point between each two of the roots and, for conditions that allow zero, the roots themselves.
 bool holds_inside(std::vector<Condition> conditions) {
   Polynomial product({1});
   for (const Condition& c : conditions) {
@@ -161,7 +162,7 @@ bool holds_inside(std::vector<Condition> conditions) {
 }  // namespace
 
 bool holds_somewhere(const Polynomial& zero, const std::vector<Condition>& conditions, Range range) {
-  // Spares most of the work: a polynomial whose signs are plain.
+  // Polynomials with plain signs spare most of the work.
   if (zero.never_vanishes_on_unit_interval()) return false;
   if (std::any_of(conditions.begin(), conditions.end(), never_holds)) return false;
   if (zero.sign_at(0) == 0 && holds_at(0, conditions)) return true;

@@ -51,7 +51,8 @@ TEST(Somewhere, AsksAllConditionsOfOneAndTheSameRoot) {
   EXPECT_FALSE(holds_somewhere(p, {positive(poly({1, -2})), positive(poly({-1, 2}))}, Range::closed));
 }
 
-// The quick ways tell what counting alone tells: random polynomials, and conditions that vanish at a root, or nearly.
+// Bug: a shortcut that answers other than counting does. Random polynomials, and conditions that vanish at a root, or
+// nearly.
 TEST(Somewhere, QuickWaysAgreeWithCounting) {
   std::mt19937 engine(3);
   const auto number = [&](int limit) {

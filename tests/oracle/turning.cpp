@@ -43,7 +43,7 @@ Real segments(const RealPoint& a0, const RealPoint& a1, const RealPoint& b0, con
   return std::min(ends, std::fabs(dot(n, d)) / std::sqrt(square));
 }
 
-/// No point of the body at x is faster.
+/// A bound of the speed of the body's point x.
 Real speed(const Turning& body, const Point& x) {
   return length(minus(real(body.theta1), real(body.theta0))) * length(real(x)) +
          length(minus(real(body.p1), real(body.p0)));
@@ -60,7 +60,7 @@ RealPoint position(const Turning& body, const RealPoint& y, Real t) {
   const RealPoint theta = at(body.theta0, body.theta1), p = at(body.p0, body.p1);
   const Real angle = length(theta);
   if (!(angle > 0)) return plus(y, 1, p);
-  // Rodrigues with the half angle: 1 - cos = 2 sin^2.
+  // Rodrigues' formula with the half angle: 1 - cos(angle) = 2 sin^2(angle / 2).
   const Real s = std::sin(angle) / angle, h = std::sin(angle / 2) / angle;
   const RealPoint turned = cross(theta, y);
   return plus(plus(plus(y, s, turned), 2 * h * h, cross(theta, turned)), 1, p);

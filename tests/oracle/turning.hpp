@@ -1,5 +1,5 @@
-// The oracle of turning bodies: conservative advancement in long double, from nothing but the definition of the motion
-// (x goes to R(theta(t)) x + p(t)), distances, and a bound on speeds. Slow, and shares no code with the library.
+// The oracle of turning bodies: conservative advancement in long double. It uses only the definition of the motion (x
+// goes to R(theta(t)) x + p(t)), distances, and a bound on speeds. Slow; shares no code with the library.
 #pragma once
 #include <array>
 #include <cmath>
@@ -25,15 +25,15 @@ struct TurningPair {
 
 RealPoint position(const Turning& body, const RealPoint& x, Real t);
 RealPoint position(const Turning& body, const Point& x, Real t);
-/// Of the closed features.
+/// Distance of the closed features.
 Real distance(PairKind kind, const std::array<RealPoint, 4>& points);
 Real distance(const TurningPair& pair, Real t);
 
-/// The first time at which the pair is nearer than `separation` and 1e-15; before it is proven farther apart, but for
-/// rounding (1e-18 of the sizes). Above 1: never.
+/// The first time at which the pair is nearer than `separation` + 1e-15. Before that time it is proven farther apart,
+/// except for rounding (1e-18 of the sizes). Above 1: never.
 Real apart_until(const TurningPair& pair, Real separation = 0);
 
-/// The same of any distance(t) that changes by no more than `fastest` a unit of time.
+/// The same for any distance(t) that changes by no more than `fastest` a unit of time.
 template <class Distance>
 Real apart_until(const Distance& distance, Real fastest, Real separation) {
   constexpr Real kFloor = 1e-15L;

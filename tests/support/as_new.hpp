@@ -1,4 +1,4 @@
-// Does a detector that has been asked before answer as a new one would, bit for bit?
+// Checks that a detector that has been asked before answers as a new one would, bit for bit.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ inline void give_radii(Options& options, Index vertex_count) {
   options.radii = {0, 0x1p-6, 0x1p-5};
 }
 
-/// What lies near, and what passes through what, as rows.
+/// Near pairs and intersections, as rows of numbers.
 inline std::vector<std::array<double, 8>> at_rest(Detector& detector, const Step& step) {
   std::vector<std::array<double, 8>> rows;
   for (const NearPair& p : detector.pairs_within(step.start, 0.01))
@@ -49,11 +49,11 @@ inline std::vector<std::array<double, 8>> at_rest(Detector& detector, const Step
   return rows;
 }
 
-/// What can be asked of a step; the first three are about contacts alone, `truncate` is the last.
+/// The questions about a step. The first three are about contacts alone, `truncate` is the last.
 enum class Asked : std::uint8_t { contacts, earliest, is_free, safe_step, at_rest, truncate };
 constexpr Index kAsked = static_cast<Index>(Asked::truncate) + 1, kAskedOfContacts = 3;
 
-/// Before the question, so that nothing of the trees was left to visit.
+/// Were the pairs of the last question listed ahead, so that it visited no trees?
 inline bool was_listed(const Detector& detector) { return detector.statistics().nodes_visited == 0; }
 
 inline void expect_as_new(Detector& kept, const Step& step, Asked question, const std::string& where,

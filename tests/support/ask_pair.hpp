@@ -1,4 +1,4 @@
-// One question to the library about one pair of any kind.
+// Asks the library about one pair of any kind.
 #pragma once
 #include "oracle/oracle.hpp"
 #include "tamis/pair.hpp"

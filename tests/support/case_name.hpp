@@ -1,4 +1,4 @@
-// Tests of a family of pairs in a place: of all families, in all places.
+// Names of tests that run for each family of pairs in each placement.
 #pragma once
 #include <gtest/gtest.h>
 

@@ -44,7 +44,7 @@ PairFilter some_pairs(const Scene& scene, std::uint64_t count) {
 oracle::Motion motion_of(const Scene& scene, const std::array<Index, 4>& vertices) {
   oracle::Motion motion;
   for (std::size_t i = 0; i < 4; ++i) {
-    if (vertices[i] < 0) continue;  // a kind of fewer corners
+    if (vertices[i] < 0) continue;  // this kind has fewer corners
     motion.start[i] = scene.start[static_cast<std::size_t>(vertices[i])];
     motion.end[i] = scene.end[static_cast<std::size_t>(vertices[i])];
   }
@@ -77,7 +77,7 @@ void add_if_touching(const Scene& scene, PairKind kind, const std::array<Index, 
   if (oracle::touches(kind, motion_of(scene, vertices))) contacts.insert({kind, vertices});
 }
 
-/// Loose points against loose edges and against each other: the pairs of closed features that are among no others.
+/// Adds contacts of loose points with loose edges and with each other: the other kinds do not include these pairs.
 void add_loose_contacts(const Scene& scene, const std::set<Edge>& edges, PairSet& contacts) {
   std::set<Index> loose = points_of(scene);
   for (const Edge& e : edges) loose.erase(e[0]), loose.erase(e[1]);

@@ -1,4 +1,4 @@
-// Death tests of contracts (numerics/assert.hpp): only where they are checked.
+// Death tests of contracts (numerics/assert.hpp); skipped in builds that do not check them.
 #pragma once
 #include <gtest/gtest.h>
 

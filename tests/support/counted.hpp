@@ -1,5 +1,5 @@
-// A double that counts what is done with it: the operations a filter or a solver costs, whatever the compiler makes of
-// them. One thread only.
+// A double that counts its operations: those that a filter or a solver costs, before the compiler optimizes them. For
+// one thread only.
 #pragma once
 #include <cstdint>
 
@@ -43,7 +43,7 @@ struct Counted {
   }
 };
 
-/// What `f` costs.
+/// The operations that `f` costs.
 template <class F>
 Operations operations_of(const F& f) {
   Counted::total = {};

@@ -5,7 +5,7 @@
 
 namespace tamis::test {
 
-/// Empty if the data is not there: the test then says so with GTEST_SKIP.
+/// Empty if the data is missing; the test then skips with kNoData.
 std::filesystem::path data_folder();
 
 inline constexpr const char* kNoData = "no test data: set TAMIS_DATA to the folder that holds frames/ and queries/";

@@ -1,4 +1,4 @@
-// A pair of features as a message shows it.
+// A pair of features as text, for failure messages.
 #pragma once
 #include <string>
 
@@ -6,7 +6,7 @@
 
 namespace tamis::test {
 
-/// In hexadecimal, to reproduce a failure.
+/// Coordinates in hexadecimal, to reproduce a failure exactly.
 std::string describe(PairKind kind, const oracle::Motion& motion);
 
 }  // namespace tamis::test

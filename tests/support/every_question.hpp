@@ -1,5 +1,5 @@
-// Every question that a detector answers, and a scene that gives each something to do: what must hold of all of them is
-// tested on this list.
+// All questions that a detector answers, for tests of properties that all of them must have; and a scene that gives
+// work to each.
 #pragma once
 #include <functional>
 #include <string>
@@ -15,22 +15,23 @@ struct AnyQuestion {
   std::string name;
   /// Every number of the answer.
   std::function<std::vector<double>(Detector&)> ask;
-  /// Leaves the answer where it is: what the question itself takes.
+  /// Asks without copying the answer: for measuring the question itself.
   std::function<void(Detector&)> ask_only;
-  /// False: the answer is the detector's, until the next question of whatever thread.
+  /// If false, the answer belongs to the detector, and lasts until any thread's next question.
   bool is_by_value;
 };
 
-/// `distance`: of near pairs, and a tenth of it the separation of one question. What they are about must outlive them.
+/// `distance`: for near pairs; a tenth of it is the separation of some questions. Scene and path must outlive the
+/// questions.
 std::vector<AnyQuestion> questions_of(const scenes::Scene& scene, double distance);
 std::vector<AnyQuestion> questions_of(const Path& path, double separation);
 
-/// Two wavy sheets of 2 cells^2 triangles of side 1, of which one slides through the other. Unless one thread does all,
-/// there is work for the others while the first pairs are decided.
+/// Two wavy sheets of side 1, of 2 cells^2 triangles each. One slides through the other. With several threads, there is
+/// work for the others while the first pairs are decided.
 scenes::Scene two_sheets(Index cells);
 inline double edge_of_sheets(Index cells) { return 1.0 / cells; }
 
-/// From where the scene starts to where it ends, not straight.
+/// A curved path from the scene's start to its end.
 BezierPath bent_path(const scenes::Scene& scene);
 
 }  // namespace tamis::test

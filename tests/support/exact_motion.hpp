@@ -1,4 +1,4 @@
-// The motion of a pair in exact rationals: the same templates as the library's, on a number type that never rounds.
+// The motion of a pair in exact rationals, for the library's templates on a number type that never rounds.
 #pragma once
 #include <gmpxx.h>
 
@@ -7,7 +7,7 @@
 
 namespace tamis::test {
 
-/// mpq_class without expression templates, which the library's generic formulas could not name.
+/// mpq_class without expression templates: the library's generic formulas need one type for all results.
 struct Exact {
   mpq_class value;
   Exact(double x = 0) : value(x) {}
@@ -20,7 +20,7 @@ struct Exact {
   friend bool operator==(const Exact& a, const Exact& b) { return a.value == b.value; }
 };
 
-/// The unrounded motion times `scale`; sizes are left zero.
+/// The exact motion times `scale`. Its sizes stay zero.
 PairMotion<Exact> exact_motion(PairKind kind, const oracle::Motion& motion, const Exact& scale = 1.0);
 
 }  // namespace tamis::test

@@ -1,11 +1,13 @@
-// Two level sheets above each other, the second one shifted a little, so that no vertex or edge meets its like.
+// Two level sheets above each other. The second one is shifted a little, so that no vertex or edge lies above its
+// counterpart.
 #pragma once
 #include "scenes/scene.hpp"
 #include "scenes/shapes.hpp"
 
 namespace tamis::test {
 
-/// Each of side x side vertices, one apart, and a group of its own; the first one stays at height 0.
+/// Each sheet has side x side vertices at distance 1, and its own group. The first stays at height 0, the second moves
+/// from height `from` to `to`.
 inline scenes::Scene flat_sheets(Index side, double from, double to) {
   scenes::Scene scene;
   for (Index sheet = 0; sheet < 2; ++sheet) {

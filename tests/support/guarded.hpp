@@ -1,4 +1,4 @@
-// Memory that ends, or begins, at a page nobody may touch: one element too far, read or written, ends the test.
+// Memory that ends, or begins, at a forbidden page: reading or writing one element too far ends the test.
 #pragma once
 #include <sys/mman.h>
 #include <unistd.h>

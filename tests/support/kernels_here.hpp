@@ -7,14 +7,14 @@
 
 namespace tamis::test {
 
-/// All that have a name but `best`, which is one of them; this machine may lack some.
+/// All instruction sets with a name, without `best`, which stands for one of them. This machine may lack some.
 inline std::vector<Isa> every_isa() {
   std::vector<Isa> all;
   for (int isa = 1; name_of(static_cast<Isa>(isa)) != kUnnamed; ++isa) all.push_back(static_cast<Isa>(isa));
   return all;
 }
 
-/// Null where this machine has no such instructions.
+/// Null if this machine lacks the instruction set.
 inline const Kernels* kernels_here(Isa isa) {
   try {
     return &kernels(isa);

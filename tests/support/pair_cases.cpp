@@ -30,13 +30,13 @@ Motion separated(PairKind kind, Random& random) {
   return m;
 }
 
-/// In [0,1], on an eighth; the ends are as likely as all the rest.
+/// A multiple of 1/8 in [0,1]; half of them are 0 or 1.
 double dyadic_parameter(Random& random) {
   const Index choice = random.below(4);
   return choice == 0 ? 0 : choice == 1 ? 1 : (1 + random.below(7)) * 0.125;
 }
 
-/// Point at time t of a vertex. Exact for coordinates of few bits and t on an eighth.
+/// The position of a vertex at time t. Exact for coordinates of few bits if t is a multiple of 1/8.
 Point at(const Motion& m, std::size_t i, double t) { return (1 - t) * m.start[i] + t * m.end[i]; }
 
 Motion exact_contact(PairKind kind, Random& random) {
@@ -49,7 +49,8 @@ Motion exact_contact(PairKind kind, Random& random) {
   }
   const double t = dyadic_parameter(random), u = dyadic_parameter(random);
   const double v = (kind == PairKind::vertex_face ? 1 - u : 1) * dyadic_parameter(random);
-  // Vertex 0 is moved, motion and all, so that it, or the point v on its edge, meets the other feature at time t.
+  // Shifts the first feature's motion so that vertex 0, or the point v on its edge, meets the other feature at time t.
+  // (Of a face, `target` is the point; of an edge, its point u.)
   const std::size_t moved = kind == PairKind::edge_edge ? 1 : 0;
   Point target = (1 - u) * at(m, 2, t) + u * at(m, 3, t);
   Point own = at(m, 0, t);
@@ -72,7 +73,7 @@ Motion near_contact(PairKind kind, Random& random) {
   return m;
 }
 
-/// One coordinate moved to the next double.
+/// Moves one coordinate to the next double.
 void nudge(Motion& m, Random& random) {
   Point& p = (random.coin() ? m.start : m.end)[static_cast<std::size_t>(random.below(4))];
   double& x = p[static_cast<std::size_t>(random.below(3))];

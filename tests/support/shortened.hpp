@@ -1,4 +1,4 @@
-// A part of a scene's step, as trials of a line search are.
+// The first part of a scene's step, as in a trial of a line search.
 #pragma once
 #include "scenes/scene.hpp"
 

@@ -1,4 +1,4 @@
-// Step lengths by any method, and whether two are the same bit for bit.
+// Step lengths by any method, and their comparison bit for bit.
 #pragma once
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Queries with exact answers, of the public research data.
+// Reads queries with exact answers from the public research data.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -16,7 +16,8 @@ struct Query {
   std::string origin;  ///< file and number, to name a failure
 };
 
-/// All queries below `folder`, in the order of file names. Throws std::runtime_error on anything but exact doubles.
+/// All queries below `folder`, in the order of file names. Throws std::runtime_error for coordinates that are no exact
+/// doubles.
 std::vector<Query> read_queries(const std::filesystem::path& folder);
 
 /// Number of repetitions: `in_ci`, or the environment variable `name` if it is set (long runs).

@@ -25,6 +25,6 @@ inline std::string scene_test_name(const testing::TestParamInfo<scenes::Recipe>&
 }  // namespace tamis::test
 
 namespace tamis::scenes {
-/// How GoogleTest prints the parameter of a failed test.
+/// GoogleTest calls this to print the parameter of a failed test.
 inline void PrintTo(const Recipe& recipe, std::ostream* out) { *out << recipe.name; }
 }  // namespace tamis::scenes

@@ -3,7 +3,7 @@
 
 namespace tamis::test {
 
-/// Seconds of this thread: others may use the machine, too.
+/// Processor time of this thread: unlike wall-clock time, other users of the machine do not change it.
 inline double thread_seconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

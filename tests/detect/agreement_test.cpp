@@ -1,4 +1,4 @@
-// The methods against each other and against the oracle, on over two hundred generated meshes. Each difference is a
+// Compares the methods with each other and with the oracle, on over two hundred generated meshes. Each difference is a
 // contact that one of them misses or makes up.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// A few pairs that touch at the start: the sentence that refuses them, radii, curves, and how often they are counted.
+// A few pairs that touch at the start: the error message that names them, radii, curves, and how often they are
+// counted.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ struct OnAFace : testing::Test {
       end = start;
 };
 
-// Bugs: a sentence without the pair, the separation or advice; an answer that is refused where nothing touches.
+// Bugs: a message without the pair, the separation or advice; a question that is refused though nothing touches.
 TEST_F(OnAFace, FailureNamesThePair) {
   const auto sentence_of = [&](double separation) -> std::string {
     Detector detector(mesh);
@@ -44,7 +45,7 @@ TEST_F(OnAFace, FailureNamesThePair) {
   EXPECT_EQ(sentence_of(0), "") << "what only comes to touch";
 }
 
-// Bugs: radii that are left out of what touches at the start.
+// Bug: radii do not count when a pair is tested for touching at the start.
 TEST_F(OnAFace, RadiiCountAtTheStart) {
   start[3][2] = 0.25;
   end[3][2] = 1;
@@ -57,7 +58,7 @@ TEST_F(OnAFace, RadiiCountAtTheStart) {
   EXPECT_THROW(detector.is_free({start, end}, kFail), InvalidStep);
 }
 
-// Bugs: a curve that is asked as if pairs that touch at its start were to be reported.
+// Bug: on a curve, pairs that touch at the start are reported whatever the question asks for.
 TEST_F(OnAFace, CurvesIgnoreAndFailToo) {
   class Still : public Path {
    public:
@@ -91,8 +92,8 @@ TEST_F(OnAFace, CurvesIgnoreAndFailToo) {
   EXPECT_THROW(detector.is_free({start, end}, {.tolerance = 1e-9}), InvalidOptions);
 }
 
-// Bugs: pairs that are ignored and not counted; one that is counted though it comes back, in a later piece of the path,
-// or once in each piece.
+// Bugs: an ignored pair that is not counted, or counted once in each piece of the path; one that is counted though it
+// comes back in a later piece.
 TEST(AtStart, OnACurveWhatDoesNotComeBackIsIgnoredAndCountedOnce) {
   // A face, and points: one stays on it, one leaves it, one goes round and comes back, one comes from above.
   const std::vector<Point> rest{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {1, 1, 0}, {3, 1, 0}, {2, 0, -1}, {1, 3, 1}};
@@ -113,7 +114,7 @@ TEST(AtStart, OnACurveWhatDoesNotComeBackIsIgnoredAndCountedOnce) {
   EXPECT_EQ(detector.statistics().ignored, 2u);
 }
 
-// Bug: they were counted again with each beginning of the step that was looked at.
+// Bug: ignored pairs were counted again for each beginning of the step that was searched.
 TEST(AtStart, IsCountedOnceWhereAStepGoesVeryFar) {
   const std::vector<Point> start{{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}, {0, 0, 0}, {0.5, 0, 0}, {-0.5, 0, 0}};
   for (const double far : {1.0, 1e5, 1e9}) {
@@ -127,7 +128,7 @@ TEST(AtStart, IsCountedOnceWhereAStepGoesVeryFar) {
   }
 }
 
-// Bug: is_free ends at a first contact, before it has looked at the pair that touches at the start.
+// Bug: is_free ends at the first contact that it finds, before it decides the pair that touches at the start.
 TEST(AtStart, FailsOnACurveThoughOthersTouchLater) {
   for (const Index later : {7, 8, 9, 40}) {
     std::vector<Point> rest{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}};

@@ -1,4 +1,4 @@
-// Questions that ignore pairs that touch at the start, or refuse them.
+// Options of questions that ignore pairs touching at the start, or fail because of them.
 #pragma once
 #include "tamis/options.hpp"
 

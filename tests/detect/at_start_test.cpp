@@ -1,5 +1,5 @@
-// Pairs that touch at the start: reported, ignored until they have come apart, or refused. Against every pair decided
-// exactly, by every method, question, instruction set and number of threads.
+// Pairs that touch at the start: reported, ignored until they have come apart, or refused. Compares all methods,
+// questions, instruction sets and numbers of threads with exact decisions of every pair.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ Truth truth_of(const Scene& scene, double separation) {
   return truth;
 }
 
-/// Sheets on a coarse lattice that move by its units: corners that coincide, features that lie in each other, slide
+/// Sheets on a coarse lattice that move by multiples of its unit: corners coincide; features lie in each other, slide
 /// along each other, pass through each other, and stay as they are.
 Scene snapped_sheets(std::uint64_t seed) {
   constexpr double kUnit = 0.25;
@@ -70,7 +70,7 @@ Scene snapped_sheets(std::uint64_t seed) {
   return scene;
 }
 
-// Bugs: a start that counts, a return that does not, in some method's way of its own past the decision of a pair.
+// Bugs: where a method bypasses the decision of a pair, a contact at the start that counts, or a return that does not.
 TEST(AtStart, IgnoredPairsCountOnceApartByEveryMethod) {
   std::uint64_t ignored = 0, returned = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed)
@@ -106,8 +106,8 @@ class AtStartIn : public testing::TestWithParam<Recipe> {
   const double separation = 0x1p-5;
 };
 
-// Bugs: a contact that does not start touching and has another bit; a thread, an instruction set or an earlier question
-// that changes a bit; pairs that are ignored and not counted, or counted twice.
+// Bugs: other bits of a contact that does not touch at the start; a thread, an instruction set or an earlier question
+// that changes a bit; ignored pairs that are not counted, or counted twice.
 TEST_P(AtStartIn, NothingElseChanges) {
   Detector one = lab::make_detector(scene.mesh(), with(Method::tamis, separation));
   std::vector<Contact> reported = one.contacts(scene.step());
@@ -134,8 +134,8 @@ TEST_P(AtStartIn, NothingElseChanges) {
   }
 }
 
-// Bugs: a pair without reserve that still ends the step at once, one that comes back and does not, a search that leaves
-// such pairs out.
+// Bugs: a pair without clearance at the start that still ends the step at once; one that comes back and does not end
+// the step; a search that leaves such pairs out.
 TEST_P(AtStartIn, StepLengthsAreThoseOfEveryPair) {
   const Scene few = GetParam().make(40, 23);
   for (const double fraction : {0.0, 0.1, 0.7}) {
@@ -152,7 +152,7 @@ TEST_P(AtStartIn, StepLengthsAreThoseOfEveryPair) {
   }
 }
 
-// Bugs: a way on which an ignored pair comes apart and back; one that stops where reported pairs would stop it.
+// Bugs: a truncated step in which an ignored pair comes apart and back; one that ends as if the pair were reported.
 TEST_P(AtStartIn, TruncatedStepsAreFreeOfWhatCounts) {
   const Scene few = GetParam().make(60, 29);
   Detector detector = lab::make_detector(few.mesh(), with(Method::tamis, separation));
@@ -163,7 +163,8 @@ TEST_P(AtStartIn, TruncatedStepsAreFreeOfWhatCounts) {
   EXPECT_EQ(reported.is_free, detector.is_free({few.start, few.start}));
 }
 
-// Bugs: a question that does not fail, fails for what only comes to touch, or names another pair than the others do.
+// Bugs: a question that does not fail, that fails for a pair which touches only later, or that names another pair than
+// the other questions do.
 TEST_P(AtStartIn, EveryQuestionFailsForTheSamePair) {
   const Scene few = GetParam().make(60, 31);
   std::string first;
@@ -183,7 +184,7 @@ TEST_P(AtStartIn, EveryQuestionFailsForTheSamePair) {
     expect_failure("contacts", [&] { detector.contacts(few.step(), kFail); });
     expect_failure("earliest", [&] { detector.earliest(few.step(), kFail); });
     expect_failure("is_free", [&] { detector.is_free(few.step(), kFail); });
-    if (method != Method::tamis) continue;  // the others ask it
+    if (method != Method::tamis) continue;  // other methods use the same engine for these questions
     expect_failure("safe_step", [&] { detector.safe_step(few.step(), 0.1, kFail); });
     expect_failure("safe_step 0", [&] { detector.safe_step(few.step(), 0, kFail); });
     expect_failure("truncate", [&] { detector.truncate(few.step(), 0.1, kFail); });
@@ -193,10 +194,10 @@ TEST_P(AtStartIn, EveryQuestionFailsForTheSamePair) {
 INSTANTIATE_TEST_SUITE_P(Scenes, AtStartIn, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
                          scene_test_name);
 
-/// A sheet that starts on a ball, within the separation, is thrown up and falls back.
+/// A sheet on a ball: it starts within the separation, is thrown up and falls back.
 struct Throw {
   Scene scene;
-  std::size_t ball = 0;  ///< vertices before the sheet's
+  std::size_t ball = 0;  ///< number of the ball's vertices, which come before the sheet's
   std::vector<Point> x, velocity;
 
   explicit Throw(double gap) {
@@ -224,10 +225,11 @@ struct Throw {
     }
     return end;
   }
-  double height() const { return x[ball + 24][2] - 1; }  // of the middle of the sheet
+  double height() const { return x[ball + 24][2] - 1; }  // of the sheet's middle vertex above the ball
 };
 
-// Bugs: a sheet that never leaves what it starts on, leaves it and falls through, or is held by what it has left.
+// Bugs: a sheet that never leaves the ball on which it starts, that falls through it later, or that is held by it after
+// it has left.
 TEST(AtStart, AClothThatStartsOnABallLeavesItAndLandsOnIt) {
   constexpr double kSeparation = 0x1p-6, kStep = 1.0 / 64;
   Throw sheet(kSeparation / 2);

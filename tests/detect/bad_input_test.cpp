@@ -1,4 +1,4 @@
-// What cannot be answered is refused with an exception of a documented type, in a sentence that names the culprit.
+// Bad input is refused by an exception of a documented type, with a sentence that names the culprit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,14 +52,14 @@ TEST_P(BadInput, PositionsThatDoNotFitTheMesh) {
   EXPECT_THROW(detector.is_free(step), InvalidStep);
 }
 
-// 2^32 positions too many were as many as there should be once the count was cut to 32 bits.
+// Bug: 2^32 positions too many went unnoticed, because the count was truncated to 32 bits.
 TEST_P(BadInput, MorePositionsThanAnIndexCounts) {
   Detector detector = lab::make_detector(scene.mesh(), options);
   const std::span<const Point> too_many(scene.start.data(), scene.start.size() + (std::size_t{1} << 32));
   EXPECT_NE(message_of<InvalidStep>([&] { detector.contacts({too_many, too_many}); }).find("2^31"), std::string::npos);
 }
 
-// A list of pairs took them for 2^32 - 1 rows, and read beyond the end.
+// Bug: a list of pairs took too many positions for 2^32 - 1 rows, and read beyond the end.
 TEST(BadInputOfLists, MorePositionsThanAnIndexCounts) {
   const Scene scene = scenes::scene_by_name("soup", 5, 1);
   const std::span<const Point> too_many(scene.start.data(), scene.start.size() + (std::size_t{1} << 32));
@@ -80,7 +80,7 @@ TEST_P(BadInput, CoordinatesThatAreNotFiniteAreNamedByVertex) {
     }
 }
 
-// Files hold such vertices; a frame of boxes around them would be infinite.
+// Bug: vertices that nothing uses count for the frame of the boxes, which becomes infinite. Files hold such vertices.
 TEST_P(BadInput, VerticesThatNothingUsesMayHoldAnything) {
   const PairSet expected = find_names(scene, options);
   scene.add_vertex({kNan, kInfinity, 0}, {1e300, kNan, -kInfinity}, 0);
@@ -123,7 +123,8 @@ TEST_P(BadInput, OptionsOutsideTheirRange) {
   refuses(bad);
 }
 
-// Bug: the groups of components_of, -1 where a vertex is of no feature, are refused; or radii go to other vertices.
+// Bug: the groups of components_of, which are -1 for vertices of no feature, are refused; or radii go to other
+// vertices.
 TEST(Groups, AreThoseOfComponents) {
   const Mesh mesh(8, {{1, 2, 3}, {5, 6, 7}});
   const std::vector<Point> points{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0},
@@ -142,7 +143,8 @@ TEST(Groups, AreThoseOfComponents) {
   EXPECT_TRUE(lab::make_detector(mesh, options).is_free({points, points}));
 }
 
-// oneTBB crashes when it is asked for a million threads, warns on stderr for a thousand, and gives neither.
+// Bug: the number of threads goes to oneTBB unchecked. It crashes if asked for a million, warns on stderr for a
+// thousand, and provides neither.
 TEST_P(BadInput, NoNumberOfThreadsIsTooLarge) {
   const PairSet expected = find_names(scene, options);
   testing::internal::CaptureStderr();
@@ -168,7 +170,7 @@ TEST(BadPair, CoordinatesThatAreNotFinite) {
   EXPECT_THROW(edge_edge(good, bad), InvalidStep);
 }
 
-// Filters need not see a lone NaN: no coordinate gets past the boundary, wherever it stands.
+// Bug: a NaN or infinity that is refused in some coordinates only. Filters rely on the check of all of them.
 TEST(BadPair, EachCoordinateOfEachPoint) {
   const std::array<Point, 4> good{};
   for (const double value : {kNan, kInfinity, -kInfinity})
@@ -189,7 +191,7 @@ TEST(BadPair, SeparationOutOfRange) {
   }
 }
 
-// Bug: -1e-9 is refused as "-0.000000", which one would not refuse.
+// Bug: the message refuses -1e-9 as "-0.000000", a number that is allowed.
 TEST(BadNumber, IsSaidSoThatItReadsBack) {
   const Scene scene = scenes::scene_by_name("soup", 5, 1);
   Detector detector(scene.mesh());
@@ -207,7 +209,8 @@ TEST(BadNumber, IsSaidSoThatItReadsBack) {
   says([&] { edge_edge(points, points, {.latest = 1e300}); }, "1e+300");
 }
 
-// Bug: in the floats of such a step's boxes its start is one point, and every pair is decided, most by integers.
+// Bug: boxes in floats take the whole start of such a step for one point, so that every pair is decided, most in
+// integers.
 TEST(AStepThatExplodes, HasItsFirstContactInItsBeginning) {
   for (const char* name : {"folded-cloth", "soup"})
     for (const double far : {1e3, 1e300}) {
@@ -236,7 +239,7 @@ TEST(AStepThatExplodes, HasItsFirstContactInItsBeginning) {
     }
 }
 
-// Bug: in the floats of a frame that held the whole flight, all that flies together was one point.
+// Bug: the frame of the boxes held the whole flight, so that in its floats all that flies together was one point.
 TEST(AStepThatGoesFarAsAWhole, HasTheContactsOfAllPairsAndLooksAtFew) {
   for (const double far : {1e3, 1e7}) {
     const Scene scene = scenes::scene_by_name("folded-cloth", 400, 3);
@@ -262,8 +265,8 @@ TEST(AStepThatGoesFarAsAWhole, HasTheContactsOfAllPairsAndLooksAtFew) {
   }
 }
 
-// Bug: with brackets of 1e-11, whatever the time, one of a pair that touches just after a beginning could begin before
-// that of the first pair in it: so the beginning had another answer than lists and single pairs.
+// Bug: brackets were 1e-11 long at all times. The bracket of a pair that touches just after a beginning of the step
+// could begin before that of the first pair in it: so the beginning gave another answer than lists and single pairs.
 TEST(AStepThatExplodes, HasTheFirstContactOfAllPairsWhereTwoComeInOneInstant) {
   const std::vector<Point> start{{-0x1.2bbe0bf936f82p-1, -0x1.f79863eb1ae47p-2, -0x1.c5b63f3cafb35p-2},
                                  {-0x1.6c8b439581063p-1, -0x1.7ae147ae147aep-1, -0x1.db22d0e56041ap-4},
@@ -283,7 +286,7 @@ TEST(AStepThatExplodes, HasTheFirstContactOfAllPairsWhereTwoComeInOneInstant) {
   options.method = Method::brute;
   const EarliestContact expected = lab::make_detector(detector.mesh(), options).earliest({start, end});
   ASSERT_TRUE(expected.contact);
-  for (int time = 0; time < 3; ++time) {  // of a beginning, then of lists
+  for (int time = 0; time < 3; ++time) {  // the first answer is that of a beginning, the others are those of lists
     const EarliestContact first = detector.earliest({start, end});
     ASSERT_TRUE(first.contact);
     EXPECT_EQ(first.contact->vertices, expected.contact->vertices) << time;

@@ -1,5 +1,5 @@
-// A detector answers one question at a time. Bug: a second one, of another thread or of a function that the first one
-// calls, shares its buffers: wrong contacts, or a crash.
+// A detector answers one question at a time. Bug: a second question, by another thread or by a function that the first
+// one calls, shares its buffers: wrong contacts, or a crash.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -23,7 +23,7 @@ class BusyDetector : public testing::Test {
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
-  /// Every question that is asked meanwhile is refused, and so are statistics.
+  /// Expects that every question asked meanwhile is refused, and statistics, too.
   void expect_refused(Detector& detector) const {
     for (const AnyQuestion& question : everything()) EXPECT_THROW(question.ask(detector), Busy) << question.name;
     EXPECT_THROW((void)detector.statistics(), Busy);
@@ -100,7 +100,7 @@ TEST_F(BusyDetector, EndsTheQuestionOfAFilterThatDoesNotMind) {
   EXPECT_TRUE(contacts.ask(detector) == contacts.ask(plain)) << "the detector may be asked again";
 }
 
-/// Asks the detector that asks it.
+/// A path that asks a question to the detector that reads it.
 struct AskingPath final : Path {
   Index vertex_count() const override { return path.vertex_count(); }
   void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
@@ -137,7 +137,7 @@ TEST_F(BusyDetector, RefusesItsOwnCancellation) {
   EXPECT_TRUE(was_asked.test());
 }
 
-// Bug: what has been moved from is asked, and reads memory that is not there.
+// Bug: a detector that has been moved from answers questions, and reads memory that it no longer has.
 TEST_F(BusyDetector, WhatHasBeenMovedFromSaysSo) {
   Detector plain(scene_.mesh()), first(scene_.mesh());
   const AnyQuestion contacts = everything()[0];
@@ -152,7 +152,7 @@ TEST_F(BusyDetector, WhatHasBeenMovedFromSaysSo) {
   EXPECT_TRUE(contacts.ask(first) == expected);
 }
 
-// The question goes on in the detector that has taken its place.
+// Bug: a detector that is moved during a question loses it. The question goes on in the detector it was moved to.
 TEST_F(BusyDetector, MayBeMovedByItsOwnFilter) {
   Detector* own = nullptr;
   std::optional<Detector> moved;
@@ -171,7 +171,8 @@ TEST_F(BusyDetector, MayBeMovedByItsOwnFilter) {
   EXPECT_TRUE(contacts.ask(*moved) == contacts.ask(plain));
 }
 
-// In `for (const Contact& c : Detector(mesh).contacts(step))` the detector is gone before the loop begins.
+// Bug: a temporary detector returns a reference to its list. In `for (const Contact& c :
+// Detector(mesh).contacts(step))` the detector is destroyed before the loop begins.
 TEST_F(BusyDetector, WithoutANameLeavesItsListsToTheCaller) {
   const auto one = [&] { return Detector(scene_.mesh()); };
   Detector kept = one();

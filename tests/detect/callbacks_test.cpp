@@ -1,6 +1,6 @@
 // Filters, cancellation and paths are the caller's own functions: they may ask other detectors, and use oneTBB. Bug: a
-// thread that waits for what such a function started takes a task of the question that called it, in the midst of its
-// own buffers: contacts twice, others lost, or a crash.
+// thread waits for work that such a function has started, and meanwhile takes a task of the question that called the
+// function, while its own buffers are in use: contacts come twice, others are lost, or it crashes.
 #include <gtest/gtest.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
@@ -25,14 +25,14 @@ namespace {
 
 using scenes::Scene;
 
-/// Meets some calls of a callback, spread over the question.
+/// Acts in some calls of a callback, spread over the question.
 class NowAndThen {
  public:
   explicit NowAndThen(std::function<void()> act) : act_(std::move(act)) {}
   void called() {
     if (++calls_ % every_ == 0) act_();
   }
-  /// As many calls as were counted: so many of them act, spread.
+  /// Expects as many calls as were counted so far, and acts in about thirty of them.
   void act_often() {
     constexpr int kTimes = 30;
     every_ = std::max(1, calls_ / kTimes);
@@ -44,13 +44,13 @@ class NowAndThen {
   int every_ = std::numeric_limits<int>::max();
 };
 
-/// The same questions, whoever waits for whom: on four threads, however many cores there are.
+/// The answers must be the same whichever thread waits for which. Uses four threads, however many cores there are.
 class Callbacks : public testing::Test {
  protected:
   static constexpr int kThreads = 4;
 
-  /// Waits for a task that another thread lets go after a while: meanwhile this one looks for work. No worker of oneTBB
-  /// is needed for it: version 2021.8, under the thread sanitizer, left such a task with all workers asleep.
+  /// Waits for a task that another thread releases after a while; meanwhile this thread looks for work. Needs no worker
+  /// of oneTBB: under the thread sanitizer, version 2021.8 left such a task waiting while all workers slept.
   static void use_tbb() {
     tbb::task_group group;
     tbb::task_handle task = group.defer([] {});
@@ -66,7 +66,7 @@ class Callbacks : public testing::Test {
     return {use_tbb, [this] { ask_another(); }};
   }
 
-  /// `make_options(callback)`: with a function that calls it.
+  /// `make_options(callback)` makes options with a function that calls `callback`.
   template <class MakeOptions>
   void expect_same_answers(const Mesh& mesh, const std::vector<AnyQuestion>& questions,
                            const MakeOptions& make_options) {
@@ -127,7 +127,7 @@ TEST_P(CallbacksOfMethod, CancellationMayAskBack) {
 INSTANTIATE_TEST_SUITE_P(Methods, CallbacksOfMethod, testing::Values(Method::tamis, Method::paper),
                          [](const testing::TestParamInfo<Method>& method) { return test_name(name_of(method.param)); });
 
-/// Another path, which calls before it answers.
+/// Calls the callback, then answers as another path does.
 struct CallingPath final : Path {
   CallingPath(const Path& asked, NowAndThen& called) : path(asked), callback(called) {}
   Index vertex_count() const override { return path.vertex_count(); }
@@ -167,8 +167,8 @@ TEST_F(Callbacks, PathsMayAskBack) {
     }
 }
 
-// Bug: a thread that waits in its own detector's question takes another part of the caller's loop, and asks that very
-// detector.
+// Bug: a thread that waits in a question to its own detector takes another iteration of the caller's loop, and asks
+// that detector again.
 TEST_F(Callbacks, EachThreadsOwnDetectorServesALoopOfTheCaller) {
   const Scene scene = two_sheets(40);
   Detector alone(scene.mesh());

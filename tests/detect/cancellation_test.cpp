@@ -1,5 +1,4 @@
-// A question that is cancelled ends with Cancelled, and leaves nothing behind: pairs that stayed in a buffer would turn
-// up in the next answer.
+// A cancelled question ends with Cancelled. Bug: it leaves pairs in a buffer, which turn up in the next answer.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -22,11 +21,11 @@ class Cancellation : public testing::TestWithParam<Method> {
  protected:
   Cancellation() {
     options.method = GetParam();
-    options.threads = 1;  // so that each question asks as often as the last one
+    options.threads = 1;  // so that each question calls is_cancelled as often as the last one
     options.is_cancelled = [this] { return asked++ == cancel_at; };
   }
 
-  /// As many contacts, with the same times, as a detector finds that was never cancelled.
+  /// Expects the contacts and times that a detector finds which was never cancelled.
   void expect_whole_answer(Detector& detector) {
     lab::Options plain;
     plain.method = GetParam();
@@ -51,7 +50,7 @@ TEST_P(Cancellation, EndsEveryQuestionAndTheNextOneIsAnsweredInFull) {
   Detector detector = lab::make_detector(scene.mesh(), options);
   const auto cancelled = [&](const auto& question) {
     asked = 0;
-    cancel_at = 1;  // some pairs are decided, others wait
+    cancel_at = 1;  // then some pairs are decided, and others wait in buffers
     EXPECT_THROW(question(), Cancelled);
     expect_whole_answer(detector);
   };
@@ -66,8 +65,8 @@ TEST_P(Cancellation, AtAnyMomentLeavesTheDetectorUsable) {
   const int moments = asked;
   ASSERT_GT(moments, 2) << "too few to stop in the middle";
   for (int moment = 0; moment < moments; moment += 1 + moments / 8) {
-    Detector detector =
-        lab::make_detector(scene.mesh(), options);  // a kept one may have listed this step, and asks less often
+    Detector detector = lab::make_detector(
+        scene.mesh(), options);  // a kept one may have listed pairs, and calls is_cancelled less often
     asked = 0;
     cancel_at = moment;
     EXPECT_THROW(detector.contacts(scene.step()), Cancelled);
@@ -75,7 +74,7 @@ TEST_P(Cancellation, AtAnyMomentLeavesTheDetectorUsable) {
   }
 }
 
-/// Points at rest over a triangle, at a height to which doubles cannot tell their distance.
+/// Points at rest over a triangle. If the separation is `height`, doubles cannot decide them.
 Scene points_over_a_face(Index rows, double height) {
   Scene over;
   for (const Point& p : {Point{-1, -1, 0}, Point{16, -1, 0}, Point{-1, 16, 0}}) over.add_vertex(p, p, 0);
@@ -87,7 +86,8 @@ Scene points_over_a_face(Index rows, double height) {
   return over;
 }
 
-// Decided in integers a pair may take milliseconds: who cancels must not wait for a buffer of thousands.
+// Bug: is_cancelled is called only between buffers of thousands of pairs. A pair that is decided in integers may take
+// milliseconds.
 TEST_P(Cancellation, ComesBetweenPairsThatAreDecidedOneByOne) {
   options.min_separation = 0.125;
   const Scene over = points_over_a_face(11, 0.125);

@@ -1,5 +1,5 @@
-// How long who cancels has to wait, at every question: 50 ms. Bug: a pair, a list or a hierarchy that takes seconds
-// without looking whether anybody still wants the answer.
+// Every question ends within 50 ms of its cancellation. Bug: a pair, a list or a hierarchy takes seconds without
+// calling is_cancelled.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,22 +21,22 @@ namespace {
 using scenes::Scene;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr double kSlower = 20;  // and all that is measured is a check of this test
+constexpr double kSlower = 20;  // these builds check the test, not the time
 #else
 constexpr double kSlower = 1;
 #endif
 constexpr double kLongestWait = 0.05 * kSlower;
 
-/// The longest time between two looks at whether a question is cancelled, its start and its end among them.
+/// Measures the longest time between two calls of is_cancelled; a question's start and end count as calls.
 class Waits {
  public:
-  /// Says true after `patience` seconds.
+  /// is_cancelled returns true after `patience` seconds.
   explicit Waits(double patience) : patience_(patience * kSlower) {}
 
   std::function<bool()> is_cancelled() {
     return [this] { return look() - start_ > patience_; };
   }
-  /// Of one question.
+  /// The longest wait in one question.
   template <class Ask>
   double longest_of(const Ask& ask) {
     longest_ = 0;
@@ -97,7 +97,7 @@ TEST_P(CancellationWait, IsShortOnAPath) {
 INSTANTIATE_TEST_SUITE_P(Methods, CancellationWait, testing::Values(Method::tamis, Method::paper, Method::brute),
                          [](const testing::TestParamInfo<Method>& method) { return test_name(name_of(method.param)); });
 
-/// Two unit squares, of which one moves: each pair takes seconds.
+/// Two unit squares. One moves such that each pair takes seconds.
 struct Squares {
   std::vector<Point> rest;
   std::vector<Face> faces{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
@@ -107,7 +107,7 @@ struct Squares {
     for (int i = 0; i < 2; ++i) rest.insert(rest.end(), {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
   }
   Mesh mesh() const { return {8, faces}; }
-  /// The first link turns next to nothing, but about another axis: no axis stays, which would make it easy.
+  /// The first link turns by nearly nothing, but about another axis: so no axis is fixed, which would make pairs easy.
   RigidPath path(double height, const Point& turn) const {
     Chain chain = turned({{0.1, 0.05, height}, {0, 0, 0}}, turn, {0.3, 0.15, height});
     chain.insert(chain.begin(), Link{{}, {{0, 0, 0}, {0, 1e-300, 0}}});
@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(Of, HardPaths,
                                          HardPath{"ASpinInThePlane", 1e-13, {0, 0, 1e30}}),
                          [](const testing::TestParamInfo<HardPath>& path) { return path.param.name; });
 
-// Bug: 2^17 parts in doubles of which each gets 2^13 in double-double: a minute for one pair.
+// Bug: a pair is cut into 2^17 parts in doubles, and each of these into 2^13 in double-double: a minute for one pair.
 TEST(HardPairs, AreGivenUpInSeconds) {
   const Squares squares;
   const RigidPath path = squares.path(1e-13, {0, 0, 0.5});
@@ -181,7 +181,7 @@ TEST(CancellationWaitOfLists, IsShort) {
       const auto [a, b, c] = mesh.faces()[f];
       if (p != a && p != b && p != c) pairs.push_back({PairKind::vertex_face, {p, a, b, c}});
     }
-  std::vector<PairResult> results(pairs.size());  // memory that is used for the first time takes a time of its own
+  std::vector<PairResult> results(pairs.size());  // allocated before, as the first use of memory takes time
   Waits waits(2);
   for (const double separation : {0.0, 0.01}) {
     const PairOptions options{.min_separation = separation, .threads = 1, .is_cancelled = waits.is_cancelled()};

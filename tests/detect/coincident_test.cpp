@@ -1,5 +1,5 @@
-// Many features in one place: every pair touches from the start on. Would catch: questions that store every contact
-// before they look at one, and a search that goes on when nothing can change the answer any more.
+// Many features in one place: every pair touches at the start. Would catch: questions that store all contacts although
+// one decides the answer, and a search that goes on when nothing can change the answer any more.
 #include <gtest/gtest.h>
 
 #include "lab/detector.hpp"
@@ -10,7 +10,7 @@
 namespace tamis::test {
 namespace {
 
-/// Triangles of their own vertices, all in one place, that move by one triangle's length.
+/// Triangles without common vertices, all in one place. They move by one triangle's length.
 scenes::Scene pile_of(Index triangles) {
   scenes::Scene pile;
   for (Index f = 0; f < triangles; ++f) {

@@ -1,5 +1,5 @@
-// The two other questions, "how far may the step go?" and "is it free?", against all contacts and the oracle. They stop
-// early and prune by time: each cut too much is a contact missed.
+// Compares earliest and is_free with all contacts and the oracle. Both stop early and prune by time: pruning too much
+// would miss a contact.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -79,7 +79,8 @@ TEST_P(Questions, ThreadsChangeNoBitOfTheEarliestContact) {
   }
 }
 
-// What falls flat on something flat touches it everywhere at once; each of these pairs took integers twice.
+// Bug: pairs that all touch at one time were decided in integers twice. A flat sheet that falls on another one touches
+// it everywhere at once.
 TEST(Earliest, DecidesPairsThatTouchAtOneTimeOnce) {
   const Scene scene = flat_sheets(8, 1, 0);
   Detector detector(scene.mesh());

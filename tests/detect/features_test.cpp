@@ -1,5 +1,5 @@
-// Features by number, and their points by weights. Would catch: an edge or a face of another contact, a face found in
-// another winding.
+// Numbers of features, and points on them by weights. Would catch: an edge or a face of another contact, a face found
+// although its winding differs.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -39,7 +39,7 @@ TEST(FeaturesOf, OfLoosePointsAreEdgesAndVertices) {
   EXPECT_EQ(features_of(mesh, PairKind::vertex_vertex, {0, 4, -1, -1}), (Places{0, 4}));
 }
 
-/// What is said of a pair that the mesh does not have; nothing if it is found.
+/// The message that refuses a pair which the mesh does not have; empty if the pair is found.
 std::string refusal(const Mesh& mesh, PairKind kind, const std::array<Index, 4>& vertices) {
   try {
     features_of(mesh, kind, vertices);
@@ -49,7 +49,8 @@ std::string refusal(const Mesh& mesh, PairKind kind, const std::array<Index, 4>&
   }
 }
 
-// Bugs: numbers of vertices that the mesh lacks came back as features, and -1 is a row of many a language's arrays.
+// Bugs: vertex numbers that the mesh lacks were returned as features. (In many languages, -1 is a valid row of an
+// array.)
 TEST(FeaturesOf, OfAnotherMeshAreRefusedByName) {
   const Mesh mesh(5, {{0, 1, 2}, {3, 1, 2}}, {{3, 4}});
   const std::string advice = ": give a pair of this mesh, its vertices as in Contact";
@@ -80,7 +81,7 @@ TEST(SignedWeights, GiveTheVectorBetweenBothPoints) {
   EXPECT_THROW(weights_of(static_cast<PairKind>(kPairKinds), 0, 0), Error);
 }
 
-// Bug: a weight of another vertex, or of another sign.
+// Bug: a weight of another vertex, or with the wrong sign.
 TEST(SignedWeights, OfNearPairsGiveTheirDistanceAndDirection) {
   std::mt19937 random(3);
   std::vector<Point> at(40);

@@ -1,4 +1,4 @@
-// Edges through triangles in one pose, against every pair of edge and face decided exactly, and the oracle.
+// Compares intersections in one pose with exact decisions of every edge with every face, and with the oracle.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Found found_by(Detector& detector, const std::vector<Point>& positions) {
   return found;
 }
 
-/// A point that runs along the edge, against the face at rest: every edge with every face.
+/// Decides every edge with every face: as a point that moves along the edge, against the face at rest.
 template <class Touches>
 Found truth_by(const Mesh& mesh, const std::vector<Point>& at, const Touches& touches) {
   const auto point = [&](Index v) { return at[static_cast<std::size_t>(v)]; };
@@ -78,7 +78,7 @@ bool are_same(const Intersection& a, const Intersection& b) {
          a.v == b.v;
 }
 
-// Bugs: a lane that reads another pair's end of an edge; an answer that depends on who found it.
+// Bugs: a lane that reads another pair's end of an edge; an answer that depends on which thread found it.
 TEST_P(IntersectionsOf, HaveTheSameBitsWithAnyThreadsAndInstructionSet) {
   const Scene scene = GetParam().make(2000, 7);
   const auto reference = Detector(scene.mesh()).intersections(scene.end);
@@ -91,12 +91,12 @@ TEST_P(IntersectionsOf, HaveTheSameBitsWithAnyThreadsAndInstructionSet) {
         const auto found = lab::make_detector(scene.mesh(), options).intersections(scene.end);
         EXPECT_TRUE(std::equal(found.begin(), found.end(), reference.begin(), reference.end(), are_same))
             << name_of(isa) << ", " << threads << " threads";
-      } catch (const InvalidOptions&) {  // this machine has no such instructions
+      } catch (const InvalidOptions&) {  // this machine lacks the instruction set
       }
     }
 }
 
-// Bug: boxes at rest, or a start that they were made for, left over in the trees that all questions share.
+// Bug: boxes at rest, or the pose for which they were made, are left over in the trees that all questions share.
 TEST_P(IntersectionsOf, ChangeNoAnswerAboutSteps) {
   const Scene scene = GetParam().make(500, 8);
   Detector fresh(scene.mesh()), kept(scene.mesh());
@@ -120,7 +120,7 @@ bool meets_face(const Point& a, const Point& b) {
   return detector.has_intersection(positions);
 }
 
-// Bugs: touching is no intersection, or whatever lies in the face's plane is one.
+// Bugs: touching does not count as an intersection, or every edge in the face's plane does.
 TEST(IntersectionsThatOnlyTouch, Count) {
   EXPECT_TRUE(meets_face({0.25, 0.25, 0}, {0.25, 0.25, 1})) << "an end on the inside";
   EXPECT_TRUE(meets_face({0.5, 0, -1}, {0.5, 0, 1})) << "through a border";
@@ -132,7 +132,7 @@ TEST(IntersectionsThatOnlyTouch, Count) {
   EXPECT_FALSE(meets_face({2, 2, -1}, {2, 2, 1})) << "past it";
 }
 
-// Bug: groups that may pass through each other are reported.
+// Bug: intersections of groups that may pass through each other are reported.
 TEST(IntersectionsOfGroups, FollowTheFilter) {
   lab::Options options;
   const std::vector<Point> pierced{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, -1}, {0.2, 0.2, 1}};

@@ -1,5 +1,5 @@
-// What must not change the answer: the number of threads, the instruction set, the unit of length, the order of
-// vertices, a mirror, earlier questions.
+// The answer must not depend on the number of threads, the instruction set, the unit of length, the order of vertices,
+// mirroring, or earlier questions.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -37,11 +37,12 @@ class Invariance : public testing::TestWithParam<Recipe> {
   Scene scene(Index triangles, std::uint64_t seed) const { return GetParam().make(triangles, seed); }
 };
 
-// Bugs: an answer that depends on who found it, on which part of a shared loop came first, or on how loops are parted.
+// Bugs: an answer that depends on which thread found it, on which part of a shared loop came first, or on how loops are
+// parted.
 TEST_P(Invariance, AnyNumberOfThreadsGivesTheSameBitsOfEveryQuestion) {
   constexpr int kThreads = 5;
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, kThreads);
-  // Enough vertices, blocks and pairs that threads share all loops.
+  // So many vertices, blocks and pairs that threads share all loops.
   const Scene whole = scene(GetParam().scales ? 20000 : 800, 5);
   const double distance = 0.1 * mean_edge(whole.mesh(), whole.start);
   Detector one(whole.mesh(), {.threads = 1}), many(whole.mesh(), {.threads = kThreads});
@@ -98,13 +99,13 @@ TEST_P(Invariance, PowersOfTwoAsUnitOfLengthChangeNoDecision) {
   }
 }
 
-/// Renames vertex v to order[v] in a pair, and brings the name into the order contacts have.
+/// Renames vertex v to order[v] in a pair, and puts the vertices into the order that contacts have.
 PairName renamed(PairName name, const std::vector<Index>& order) {
   auto& v = name.vertices;
   for (Index& index : v)
     if (index >= 0) index = order[static_cast<std::size_t>(index)];
   if (name.kind == PairKind::vertex_face) {
-    std::sort(v.begin() + 1, v.end());  // faces are compared as sets: windings are turned below
+    std::sort(v.begin() + 1, v.end());  // faces are compared as sets, because shuffled() changes windings
   } else if (name.kind == PairKind::vertex_edge) {
     std::sort(v.begin() + 1, v.begin() + 3);
   } else if (name.kind == PairKind::vertex_vertex) {
@@ -123,7 +124,8 @@ PairSet renamed(const PairSet& names, const std::vector<Index>& order) {
   return result;
 }
 
-/// Vertices renumbered, faces in another order, each wound another way, y and z exchanged, x mirrored.
+/// The scene with vertices renumbered, faces in another order and with other windings, y and z exchanged, and x
+/// mirrored.
 Scene shuffled(const Scene& s, const std::vector<Index>& order, Random& random) {
   Scene result = s;
   for (std::size_t v = 0; v < order.size(); ++v) {

@@ -1,4 +1,4 @@
-// How far the step may go so that every pair keeps a fraction of its distance, where the answer is known.
+// safe_step for scenes with known answers: how far the step may go so that every pair keeps a fraction of its distance.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,7 +49,7 @@ TEST_P(KnownStep, CountsTheDistanceBeyondTheMinimumSeparation) {
   EXPECT_GT(keep(falling_point(1, -1), 0.5, with(GetParam(), std::nextafter(1.0, 0.0))).lower, 0);
 }
 
-/// A triangle that turns about the z axis through its middle, and moves.
+/// Adds a triangle that turns by `angle` about an axis along z through its middle, and moves by `way`.
 void add_turning(Scene& scene, const std::array<Point, 3>& corners, double angle, const Point& way) {
   const double c = std::cos(angle), s = std::sin(angle);
   const auto mean = [&](std::size_t k) { return (corners[0][k] + corners[1][k] + corners[2][k]) / 3; };
@@ -61,7 +61,7 @@ void add_turning(Scene& scene, const std::array<Point, 3>& corners, double angle
   scene.faces.push_back({at, at + 1, at + 2});
 }
 
-// Bug: what shrinks as a whole seems to keep its distance, though the separation does not shrink with it.
+// Bug: a scene that shrinks as a whole seems to keep its distances, though the separation does not shrink with it.
 TEST_P(KnownStep, ShrinksAsAWholeUntilItIsWithinTheSeparation) {
   Scene scene;
   for (const double height : {0.0, 1.0})
@@ -71,7 +71,7 @@ TEST_P(KnownStep, ShrinksAsAWholeUntilItIsWithinTheSeparation) {
   EXPECT_TRUE(safe.pair);
 }
 
-// Bug: both keep their shape, so they seem to keep their distance.
+// Bug: two objects that keep their shapes seem to keep their distance.
 TEST_P(KnownStep, ObjectsThatTurnByThemselvesMeet) {
   Scene scene;
   add_turning(scene, {{{-1, 0, 0}, {1, 0, 0}, {0, 0.01, 0}}}, 1, {0, 0, 0});

@@ -1,5 +1,5 @@
-// Rods and particles: loose points against loose edges and against each other, moving, by every method and question,
-// against the oracle. No other pair of closed features is left out by faces and edges.
+// Rods and particles: compares contacts of loose points with loose edges and with each other, by every method and
+// question, with the oracle. Contacts of faces and edges cover all other pairs of closed features.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using scenes::Random, scenes::Scene;
 
-/// Rods and particles on a coarse lattice, so that many meet exactly, and a triangle among them.
+/// Rods, particles and a triangle on a coarse lattice, so that many of them meet exactly.
 Scene rods_and_particles(Index rods, Index particles, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
@@ -47,8 +47,8 @@ PairSet truth_of(const Scene& scene, double separation) {
   return truth;
 }
 
-// Bug: a face that is one vertex counts as what stands for its vertex, though it has no edge: a rod goes through it
-// unseen, and what passed through nothing, free step by free step, passes through something.
+// Bug: a face whose corners are one vertex keeps this from counting as a loose point, though the face has no edge: a
+// rod goes through the vertex unseen.
 TEST(LooseFeatures, AFaceThatIsOneVertexIsAPoint) {
   const std::vector<Point> start{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {9, 9, 9}},
       end{{0, 0, 0}, {1, 0, 0}, {0.5, -1, 0}, {9, 9, 9}};
@@ -64,7 +64,8 @@ TEST(LooseFeatures, AFaceThatIsOneVertexIsAPoint) {
   }
 }
 
-// Bugs: a kind that a method does not look for, finds twice, or leaves out of a question; a tree of the wrong features.
+// Bugs: a kind of pair that a method does not look for, finds twice, or leaves out of a question; a tree of the wrong
+// features.
 TEST(LooseFeatures, MeetInEveryMethodAndQuestion) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Scene scene = rods_and_particles(6, 25, seed);

@@ -1,5 +1,5 @@
-// Minimum separation through whole detectors: every method, all three questions, against the oracle,
-// which decides each pair's distance exactly.
+// Minimum separation through whole detectors: compares every method and all three questions with the oracle, which
+// decides each pair's distance exactly.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -94,7 +94,7 @@ class MinSeparationAtTheStart : public testing::TestWithParam<Method> {
   }
 };
 
-// Bug: a pair that only moves away is taken to be free, though it is too near at t=0.
+// Bug: a pair that only moves away is considered free, though it is within the separation at t=0.
 TEST_P(MinSeparationAtTheStart, IsAContactThoughThePairMovesAway) {
   for (const double separation : {3.0, 3.1, 3.9, 5.0, 1e9, 1e300}) {
     const auto found = contacts(-3, -4, separation);
@@ -106,13 +106,13 @@ TEST_P(MinSeparationAtTheStart, IsAContactThoughThePairMovesAway) {
   for (const double separation : {1e-300, 1e-9, 1.0, 2.9}) EXPECT_TRUE(contacts(-3, -4, separation).empty());
 }
 
-// Bug: what cannot be told from the separation is taken for it, so that a step that may go is stopped.
+// Bug: a distance that doubles cannot tell from the separation counts as within it, so that a free step is stopped.
 TEST_P(MinSeparationAtTheStart, IsNoneIfThePairIsFartherByOneBit) {
   for (const Contact& c : contacts(-3, -4, std::nextafter(3.0, 0.0))) EXPECT_GT(c.toi_lower, 0);
   EXPECT_EQ(contacts(-3, -3, std::nextafter(3.0, 0.0)).size(), 0u);
 }
 
-// Bug: half of a separation is taken before it is scaled, and vanishes.
+// Bug: the separation is halved before it is scaled, and vanishes.
 TEST_P(MinSeparationAtTheStart, HoldsForTheSmallestDoubles) {
   constexpr double kLeast = 0x1p-1074;
   Scene scene = sinking_point(-kLeast, -3 * kLeast);

@@ -1,5 +1,6 @@
-// Lists of pairs. Would catch: a lane that decides otherwise than one pair alone, a result in another pair's place, a
-// pair whose answer depends on its neighbours in the list, an index or a coordinate that is read before it is checked.
+// Lists of pairs. Would catch: a lane that decides otherwise than the function for one pair, a result in another pair's
+// place, a pair whose answer depends on its neighbours in the list, an index or a coordinate that is read before it is
+// checked.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +34,7 @@ bool is_here(Isa isa) {
   }
 }
 
-/// Bit for bit, as a sentence.
+/// Names the first number in which two results differ; empty if they are equal bit for bit.
 std::string difference(const PairResult& a, const PairResult& b) {
   if (a.touches != b.touches) return "touches";
   if (a.certainty != b.certainty) return "certainty";
@@ -42,7 +43,7 @@ std::string difference(const PairResult& a, const PairResult& b) {
   return a.normal == b.normal ? "" : "normal";
 }
 
-/// As when a simulation diverges: each vertex goes so many times as far, unless that is beyond all doubles.
+/// A motion as in a diverging simulation: each vertex goes `times` as far. Unchanged if a coordinate became too large.
 oracle::Motion exploding(const oracle::Motion& motion, double times) {
   oracle::Motion far = motion;
   for (std::size_t i = 0; i < 4; ++i)
@@ -53,7 +54,7 @@ oracle::Motion exploding(const oracle::Motion& motion, double times) {
   return far;
 }
 
-/// Motions of all kinds and families, every third of which goes very far, and a list in which the kinds alternate.
+/// Motions of all kinds and families, and a list in which the kinds alternate. Every third motion goes very far.
 struct Cases {
   std::vector<Point> start, end;
   std::vector<Pair> pairs;
@@ -82,7 +83,7 @@ Cases make_cases(int count) {
   return cases;
 }
 
-/// Coordinates so large that their differences are beyond all doubles.
+/// Cases with coordinates so large that their differences overflow.
 Cases make_overflowing_cases(int count) {
   test::Random random(8);
   Cases cases;
@@ -115,11 +116,12 @@ void expect_bits_of_single_pairs(const Cases& cases) {
 
 TEST(NarrowPhase, ListsSayBitForBitWhatTheFunctionsForOnePairSay) { expect_bits_of_single_pairs(make_cases(20)); }
 
-// Bug: lanes leave such pairs; crossings decide them in a smaller unit, but were passed over as if they had been tried.
+// Bug: lanes leave pairs with overflowing differences undecided. Crossings can decide them in a smaller unit, but were
+// skipped as if the lanes had tried them.
 TEST(NarrowPhase, ListsSayTheSameWhereDifferencesOverflow) { expect_bits_of_single_pairs(make_overflowing_cases(300)); }
 
 TEST(NarrowPhase, ThreadsAndPlacesInTheListChangeNoBit) {
-  const Cases cases = make_cases(500);  // more than one thread's part
+  const Cases cases = make_cases(500);  // so many that threads share them
   const auto results = narrow_phase(cases.pairs, {cases.start, cases.end}, {.threads = 1});
   const auto threads = narrow_phase(cases.pairs, {cases.start, cases.end}, {.threads = 3});
   std::vector<Pair> reversed(cases.pairs.rbegin(), cases.pairs.rend());
@@ -239,7 +241,8 @@ TEST(NarrowPhase, PairsThatComeAsPointsSayTheSame) {
   }
 }
 
-// Points that all pass the origin at once are what takes longest to decide: who cancels must not wait for thousands.
+// Bug: is_cancelled is not called between hard pairs. Pairs whose points all pass the origin at once take longest to
+// decide.
 TEST(NarrowPhase, IsCancelledBetweenHardPairsToo) {
   constexpr std::size_t kPairs = 40;  // less than a batch of the lanes
   std::vector<Point> start(4 * kPairs), end(start.size());

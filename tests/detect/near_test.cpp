@@ -1,5 +1,5 @@
-// What is near at rest: the methods, instruction sets and threads against each other, and distances, weights and
-// directions against exact arithmetic, in plain, degenerate and touching scenes.
+// Near pairs in one pose: compares methods, instruction sets and numbers of threads with each other, and distances,
+// weights and directions with exact arithmetic, in plain, degenerate and touching scenes.
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ double size_of(const PairPoints& points, PairKind kind) {
   return size;
 }
 
-/// Distance as promised, the points that u, v name as far apart as that, and the direction between them.
+/// Checks the promised error of the distance, that the points given by u and v are as far apart, and the direction.
 void check(const NearPair& pair, const Scene& scene) {
   const PairPoints points = points_of({scene.start, scene.start}, pair.vertices);
   const double size = size_of(points, pair.kind), tolerance = 0x1p-41 * size;
@@ -86,7 +86,8 @@ void check(const NearPair& pair, const Scene& scene) {
 
 class Near : public testing::TestWithParam<Recipe> {};
 
-// Bugs: a box or a lane too tight; a pair twice, or in another order; other bits in lanes than for single pairs.
+// Bugs: a box or a lane that is too tight; a pair that comes twice, or in another order; other bits in lanes than for
+// single pairs.
 TEST_P(Near, EveryMethodGivesTheSameBits) {
   for (std::uint64_t seed = 0; seed < 2; ++seed) {
     const Scene scene = GetParam().make(30 + 60 * static_cast<Index>(seed), 61 + seed);
@@ -102,7 +103,7 @@ TEST_P(Near, EveryMethodGivesTheSameBits) {
   }
 }
 
-// Bugs: a cull by an unproven bound; weights, direction or carriers of another pair or another feature.
+// Bugs: a cull by an unproven bound; weights, direction or corners of another pair or another feature.
 TEST_P(Near, DistancesAreThoseOfExactArithmeticAndNoPairIsMissing) {
   const Scene scene = GetParam().make(24, 9);
   for (const double part : {0.0, 0.03, 0.3}) {
@@ -141,9 +142,9 @@ TEST_P(Near, ThreadsAndInstructionSetsChangeNoBit) {
       options.threads = threads;
       try {
         Detector detector = lab::make_detector(scene.mesh(), options);
-        detector.contacts(scene.step());  // another question before: nothing may depend on it
+        detector.contacts(scene.step());  // the answer must not depend on this earlier question
         expect_same(detector.pairs_within(scene.start, distance), one);
-      } catch (const InvalidOptions&) {  // this machine has no such instructions
+      } catch (const InvalidOptions&) {  // this machine lacks the instruction set
       }
     }
 }
@@ -196,7 +197,8 @@ mpq_class exact_square_of_distance(PairKind kind, const PairPoints& points) {
   return result;
 }
 
-// Bug: a bound of 2^-41 of a pair that is a few of the smallest doubles long, which no double can keep.
+// Bug: an error bound of 2^-41 of the pair's size is promised even for pairs a few smallest doubles long, where no
+// double is that near.
 TEST(NearAmongTheSmallestDoubles, DistancesAreOffByHalfTheSmallestMore) {
   scenes::Random random(5);
   const mpq_class smallest(std::numeric_limits<double>::denorm_min());
@@ -227,7 +229,7 @@ TEST(NearAmongTheSmallestDoubles, DistancesAreOffByHalfTheSmallestMore) {
   EXPECT_GT(beyond_part, 100) << "without that half the bound would hold: say so";
 }
 
-// Bug: a sliver's foot of the perpendicular, rounded, is taken for its nearest point.
+// Bug: the rounded foot of the perpendicular on a sliver is taken for its nearest point.
 TEST(NearSlivers, HaveProvenDistances) {
   Scene scene;
   for (const Point& p : {Point{0, 0, 0}, Point{1, 1e-17, 0}, Point{0.3, 1e-16, 1e-30}}) scene.add_vertex(p, p, 0);
@@ -240,7 +242,7 @@ TEST(NearSlivers, HaveProvenDistances) {
   for (const NearPair& pair : pairs) check(pair, scene);
 }
 
-// Bug: where the difference of two vertices is more than any double, lanes took the pair for near, infinitely far off.
+// Bug: if the difference of two vertices overflows, lanes took the pair for near, at an infinite distance.
 TEST(Near, VerticesMayBeFartherApartThanAnyDouble) {
   const Mesh mesh(4, {}, {{0, 1}, {2, 3}});
   std::vector<Point> at{{4, 4, 1.3}, {-3, 5, 1.3}, {-4, -5, 0}, {0, 0, 0}};

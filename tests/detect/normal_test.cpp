@@ -1,5 +1,5 @@
-// The normal of a contact is a unit vector, however small or degenerate the features are; every method and every call
-// says the same one; and with a separation it leads along the closest points, as a search over all of them finds them.
+// The normal of a contact is a unit vector, however small or degenerate the features are. Every method and every call
+// returns the same one. With a separation it points along the closest points, which a search over all candidates finds.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ Scene crossing_edges(double length) {
   return scene;
 }
 
-/// The same with a face instead of the lower edge.
+/// A point falls on a face of the given size, from height 1 to -1.
 Scene point_on_face(double size) {
   Scene scene;
   for (const Point& p : {Point{-size, -size, 0}, Point{size, -size, 0}, Point{0, size, 0}}) scene.add_vertex(p, p, 0);
@@ -63,14 +63,14 @@ TEST_P(Normal, IsAUnitVectorWhereAFeatureIsAPoint) {
   EXPECT_NEAR(std::hypot(contacts[0].normal[0], contacts[0].normal[1], contacts[0].normal[2]), 1, 1e-12);
 }
 
-/// As one pair of a list.
+/// Decides the contact's pair as a list of one pair.
 PairResult alone(const Scene& scene, const Contact& c, double separation) {
   PairOptions options;
   options.min_separation = separation;
   return narrow_phase(std::vector<Pair>{{c.kind, c.vertices}}, scene.step(), options)[0];
 }
 
-// Bugs: the lanes' side another than that of single pairs, of exact decisions, or of the paper's solver.
+// Bugs: in lanes, the normal points to another side than for single pairs, exact decisions, or the paper's solver.
 TEST_P(Normal, IsTheSameInEveryMethodAndForThePairAlone) {
   lab::Options options;
   options.method = GetParam();
@@ -104,7 +104,8 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// The shortest vector from a point of the second feature to one of the first, and which parts hold its ends.
+/// The shortest vector from a point of the second feature to one of the first, and the parts of the features in which
+/// its ends lie.
 struct Shortest {
   Vector gap{};
   std::string parts;
@@ -132,7 +133,7 @@ Shortest shortest_of(PairKind kind, const std::array<Vector, 4>& x) {
   } else {
     for (std::size_t i = 1; i < 4; ++i) offer_point_on_line(x[0], x[i], x[i % 3 + 1], 1, shortest);
   }
-  // The common perpendicular, where it meets both inside.
+  // The common perpendicular, if both its feet lie inside the features.
   const Vector e = kind == PairKind::edge_edge ? mixed(1, x[1], -1, x[0]) : mixed(1, x[2], -1, x[1]);
   const Vector f = kind == PairKind::edge_edge ? mixed(1, x[3], -1, x[2]) : mixed(1, x[3], -1, x[1]);
   const Vector n = cross(e, f), d = kind == PairKind::edge_edge ? mixed(1, x[2], -1, x[0]) : mixed(1, x[0], -1, x[1]);
@@ -144,11 +145,11 @@ Shortest shortest_of(PairKind kind, const std::array<Vector, 4>& x) {
   return shortest;
 }
 
-// Bug, of this library once: the face's normal for a vertex at its border, 30 degrees off and more for 7 to 29 of 100
-// contacts of thick cloth; and the side that the face happens to have.
+// Bug, once in this library: a vertex at the border of a face got the face's normal, which is 30 degrees off or more
+// for 7 to 29 of 100 contacts of thick cloth; and the side depended on the face's winding.
 TEST(NormalOfThickCloth, LeadsAlongTheClosestPointsAtTheTimeOfImpact) {
   std::map<std::string, int> counts;
-  for (const double radii : {0.05, 0.2}) {  // of an edge
+  for (const double radii : {0.05, 0.2}) {  // in edge lengths
     const Scene scene = scenes::scene_by_name("folded-cloth", 3000, 5);
     lab::Options options;
     options.min_separation = radii / 40;

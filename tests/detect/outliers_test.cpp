@@ -1,4 +1,4 @@
-// A few vertices far from all others: nothing is missed, and the others cost what they cost alone.
+// A few vertices far from all others: no contact is missed, and the others cost as much as they cost alone.
 #include "scenes/outliers.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ class FarFromOthers : public testing::TestWithParam<Case> {
   scenes::Scene scene = cloth();
 };
 
-// Bug: what rounding hides of an outlier is more than the margins say, and a contact is lost.
+// Bug: an outlier's boxes are off by more than their margins, and a contact is lost.
 TEST_P(FarFromOthers, HaveTheContactsOfAllPairs) {
   for (const double separation : {0.0, 0.01}) {
     const QueryOptions asked{.min_separation = separation};
@@ -55,7 +55,7 @@ TEST_P(FarFromOthers, HaveTheContactsOfAllPairs) {
   }
 }
 
-// Bug: a radius that reaches from an outlier to the rest is cut off, as those are that reach across a frame.
+// Bug: a radius that reaches from an outlier to the others is cut off, like a radius larger than the frame.
 TEST_P(FarFromOthers, ReachTheOthersByTheirRadii) {
   lab::Options options, brute;
   options.filter.group_of_vertex.assign(scene.start.size(), 0);
@@ -72,7 +72,8 @@ TEST_P(FarFromOthers, ReachTheOthersByTheirRadii) {
   EXPECT_EQ(detector.safe_step(scene.step(), 0.1, asked).lower, all.safe_step(scene.step(), 0.1, asked).lower);
 }
 
-// Bug: a frame of boxes that holds the outliers makes one point of the rest, and all its pairs are decided.
+// Bug: the frame of the boxes holds the outliers, too: its floats make the others one point, and all their pairs are
+// decided.
 TEST_P(FarFromOthers, CostTheOthersNothing) {
   const scenes::Scene alone = cloth();
   Detector detector(scene.mesh()), near(alone.mesh());
@@ -82,15 +83,15 @@ TEST_P(FarFromOthers, CostTheOthersNothing) {
   };
   detector.contacts(scene.step());
   near.contacts(alone.step());
-  // A triangle, or those about a vertex, may meet every feature.
+  // The boxes of an outlier's triangles may meet every feature.
   const std::uint64_t features = scene.mesh().edges().size() + scene.faces.size() + scene.start.size();
   EXPECT_LT(boxes(detector), 2 * boxes(near) + 20 * features);
 }
 
-// Bug: the same of what is at rest, whose boxes come from the same frame.
+// Bug: the same for questions about one pose, whose boxes come from the same frame.
 TEST_P(FarFromOthers, LeaveTheOthersTheirAnswersAtRest) {
   const Outliers which = GetParam().which;
-  if (which == Outliers::lost_vertex || which == Outliers::flying_vertex) return;  // the cloth itself is another one
+  if (which == Outliers::lost_vertex || which == Outliers::flying_vertex) return;  // these change the cloth itself
   const scenes::Scene alone = cloth();
   const auto is_of_cloth = [&](const auto& vertices) {
     return std::ranges::all_of(vertices, [&](Index v) { return v < alone.vertex_count(); });
@@ -115,8 +116,8 @@ TEST_P(FarFromOthers, LeaveTheOthersTheirAnswersAtRest) {
   EXPECT_EQ(intersections(detector, scene), intersections(near, alone));
 }
 
-// Bug, once: what rounding hides of an outlier was given generously. A second cluster was blurred sixteen times as much
-// as in a frame that holds both, and most pairs within it met.
+// Bug, once: the margins of outliers were too generous. A second cluster was blurred sixteen times as much as in a
+// frame that holds both, and the boxes of most pairs within it met.
 TEST(TwoClusters, CostNotMuchMoreThanOne) {
   using scenes::operator+;
   const scenes::Scene one = scenes::scene_by_name("folded-cloth", 6000, 3);
@@ -137,7 +138,8 @@ TEST(TwoClusters, CostNotMuchMoreThanOne) {
   EXPECT_LT(boxes(two, contacts), 8 * boxes(one, contacts));
 }
 
-// Bug: what is listed ahead has a slack of the terrain's edges, which takes in all of the cloth: too much to list.
+// Bug: the slack of pairs listed ahead is measured by the terrain's edges, so that all of the cloth lies within it: too
+// many pairs to list.
 TEST(ClothOnTerrain, IsListedAhead) {
   scenes::Scene scene = scenes::scene_by_name("folded-cloth", 2000, 3);
   add_outliers(scene, Outliers::wide_terrain, 1e4);
@@ -155,7 +157,8 @@ TEST(ClothOnTerrain, IsListedAhead) {
   EXPECT_LT(all, 3 * first);
 }
 
-// Bug: above wide triangles vertices of a cloth went as far as a part of these, past pairs upon pairs of the cloth.
+// Bug: above wide triangles, vertices of a cloth went as far as a part of these triangles, past many pairs of the
+// cloth.
 TEST(ClothOnTerrain, IsTruncatedAsAlone) {
   scenes::Scene scene = scenes::scene_by_name("folded-cloth", 1000, 3);
   for (std::size_t v = 0; v < scene.end.size(); ++v)

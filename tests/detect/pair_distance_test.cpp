@@ -1,5 +1,5 @@
-// One pair: how far apart it is, how long it keeps a part of that, and until when it is of interest. Would catch: an
-// answer that differs from the detector's, a time of interest that loses a contact before it or changes a bracket.
+// One pair: its distance, how long it keeps a part of this, and the latest time of interest. Would catch: an answer
+// that differs from the detector's, a latest time that loses an earlier contact or changes a bracket.
 #include "tamis/pair_distance.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array<Index, 4> kAll{0, 1, 2, 3};
 
-/// A mesh in which the pair is one of few.
+/// A detector for a mesh that has this pair and few others.
 Detector detector_of(PairKind kind) {
   if (kind == PairKind::vertex_face) return Detector(Mesh(4, {{1, 2, 3}}, {}, {0}));
   if (kind == PairKind::edge_edge) return Detector(Mesh(4, {}, {{0, 1}, {2, 3}}));
@@ -78,7 +78,8 @@ TEST(PairDistance, AFractionIsKeptAsLongAsTheDetectorSays) {
   EXPECT_GT(limits, 50);
 }
 
-// Bug: the distance of closest points by weights in doubles, which of a needle are far off; here five times too large.
+// Bug: the distance is computed from closest points whose weights in doubles are far off for a needle; here it becomes
+// five times too large.
 TEST(PairDistance, BesideANeedleALimitsDistanceIsAsNearAsAnyOther) {
   const std::vector<Point> start{{0x1.59b29ede2363p+0, 0x1.ab718ead0b6fep-1, 0x1.b1fe423fd4a7dp+0},
                                  {0x1.363839086ab08p-2, 0x1.a87f63afa33e2p-1, 0x1.3c3f7e39aaa22p-1},
@@ -95,7 +96,7 @@ TEST(PairDistance, BesideANeedleALimitsDistanceIsAsNearAsAnyOther) {
   }
 }
 
-// Bug: a time of 0 in which a pair that is apart has all of its distance, said to be one at which that is lost.
+// Bug: a pair that is apart at t=0, and has all of its distance then, is said to have lost it at that time.
 TEST(PairDistance, APairThatIsApartAtTheStartHasAllOfItsDistanceThere) {
   const std::vector<Point> start{{0, 0, 0}, {0x1p-1074, 0, 0}}, end{{0x1p1000, 0, 0}, {0x1p-1074, 0, 0}};
   const SafeStep apart = safe_step({PairKind::vertex_vertex, {0, 1, -1, -1}}, {start, end}, 0.1);
@@ -108,7 +109,7 @@ TEST(PairDistance, APairThatIsApartAtTheStartHasAllOfItsDistanceThere) {
 }
 
 TEST(PairDistance, NothingAfterTheLatestTimeOfInterestMatters) {
-  // From 1 to -3 above a still point's place: half of the distance is left at t = 1/8.
+  // A point goes from height 1 to -3 over a point at rest: half of the distance is left at t = 1/8.
   const std::vector<Point> start{{0, 0, 1}, {0, 0, 0}}, end{{0, 0, -3}, {0, 0, 0}};
   const Pair pair{PairKind::vertex_vertex, {0, 1, -1, -1}};
   EXPECT_NEAR(safe_step(pair, {start, end}, 0.5).lower, 0.125, 1e-6);
@@ -161,8 +162,8 @@ TEST(PairDistance, BadInputIsNamed) {
   }
 }
 
-// Bug: at one time rounding tilts the axis of a gap that is 10^7 times as short as its features, and the step ended
-// there for some fractions. By sampling in quadruple precision three quarters of the distance are left throughout.
+// Bug: a gap is 10^7 times as short as its features. At one time rounding tilts its axis, and for some fractions the
+// step ended there. Samples in quadruple precision show that three quarters of the distance are left throughout.
 TEST(PairDistance, ATinyGapDoesNotEndAStepThatKeepsIt) {
   const std::vector<Point> start{{0, 0, 0},
                                  {9.6390522383153439, -10.377899000421166, -6.5939824730157852},

@@ -1,4 +1,4 @@
-// Pair filters: the contacts are those of the unfiltered step that the filter lets pass, in every method.
+// Pair filters: in every method, the contacts are those of the unfiltered step that the filter lets pass.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ TEST_P(PairFilters, NoStaticPairsKeepsPairsWithAMovingObject) {
   }
 }
 
-// Catches a callback that is handed vertices in another order than Contact documents.
+// Catches a callback that gets vertices in another order than Contact documents.
 TEST_P(PairFilters, CallbackDecidesByTheNamesOfTheContacts) {
   for (const Scene& scene : scenes_of_objects()) {
     const auto accepts = [](PairKind kind, const std::array<Index, 4>& v) {
@@ -77,7 +77,7 @@ TEST_P(PairFilters, CallbackDecidesByTheNamesOfTheContacts) {
   }
 }
 
-// Catches pairs that an interrupted question leaves in the buffers, which the next answer then had twice.
+// Catches an interrupted question that leaves pairs in the buffers: the next answer had them twice.
 TEST_P(PairFilters, AQuestionThatACallbackInterruptsLeavesNothingBehind) {
   struct Interrupted {};
   for (const Scene& scene : scenes_of_objects()) {
@@ -104,7 +104,7 @@ TEST_P(PairFilters, AQuestionThatACallbackInterruptsLeavesNothingBehind) {
   }
 }
 
-// Catches a question that forms pairs of groups that may not touch, only to drop them one by one.
+// Catches a question that makes pairs of groups that may not touch, and drops them one by one.
 TEST(PairFilterBlocks, WholeBlocksAreLeftOut) {
   const Scene scene = scenes::scene_by_name("touching-spheres", 20000, 1);
   const auto nodes_of = [&](const PairFilter& filter) {
@@ -124,8 +124,8 @@ TEST(PairFilterBlocks, WholeBlocksAreLeftOut) {
   for (std::size_t question = 0; question < all.size(); ++question) EXPECT_LT(others[question], all[question]);
 }
 
-// Catches a question that looks closely at pairs, or lists them for later ones, which their groups leave out: each
-// group may touch itself, so that blocks of both lie in each other's way.
+// Catches a question that tests or lists pairs although their groups leave them out. Each group may touch itself, so
+// that no whole blocks are left out.
 TEST(PairFilterBlocks, PairsThatGroupsLeaveOutAreNotLookedAt) {
   const Scene scene = flat_sheets(20, 0.1, -0.1);
   struct Cost {
@@ -134,7 +134,7 @@ TEST(PairFilterBlocks, PairsThatGroupsLeaveOutAreNotLookedAt) {
   const auto cost_of = [&](const PairFilter& of) {
     lab::Options options;
     options.filter = of;
-    options.threads = 1;  // another one brings buffers of its own
+    options.threads = 1;  // each thread has its own buffers, which would count as memory
     Detector detector = lab::make_detector(scene.mesh(), options);
     (void)detector.safe_step(scene.step(), 0.1);
     Cost cost;
@@ -142,7 +142,7 @@ TEST(PairFilterBlocks, PairsThatGroupsLeaveOutAreNotLookedAt) {
       if (stage.name == "near") cost.near = stage.vf + stage.ee;
     detector.contacts(scene.step());
     const std::uint64_t before = detector.statistics().memory_bytes;
-    detector.contacts(scene.step());  // again: pairs are listed
+    detector.contacts(scene.step());  // the second question lists pairs
     cost.listed_bytes = detector.statistics().memory_bytes - before;
     return cost;
   };
@@ -155,7 +155,7 @@ TEST(PairFilterBlocks, PairsThatGroupsLeaveOutAreNotLookedAt) {
 INSTANTIATE_TEST_SUITE_P(Methods, PairFilters, testing::ValuesIn(kMethods),
                          [](const testing::TestParamInfo<Method>& method) { return test_name(name_of(method.param)); });
 
-// Bug: the number of groups overflowed, and the sentence named one that nobody had given.
+// Bug: the number of groups overflowed, and the message named a group that nobody had given.
 TEST(PairFilter, RefusesAGroupThatCannotBeCounted) {
   try {
     PairFilter::no_self_contact({0, 2147483647});

@@ -1,5 +1,5 @@
-// Curves in the plane: edges and points with z = 0 are decided by the same calls, exactly, though every pair of them is
-// coplanar at all times.
+// Curves in the plane: the same calls decide edges and points with z = 0 exactly, though every pair of them is coplanar
+// at all times.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 using scenes::Random, scenes::Scene;
 
-/// Polylines whose vertices go from one lattice point to another, and free points among them.
+/// Polylines whose vertices go from a lattice point part of the way to another, and loose points among them.
 Scene curves(std::uint64_t seed) {
   Random random(seed);
   Scene scene;
@@ -38,7 +38,7 @@ Scene curves(std::uint64_t seed) {
   return scene;
 }
 
-// Bug: a pair that is coplanar all the time is taken for free, or is not certified.
+// Bug: a pair that is coplanar at all times is considered free, or is not certified.
 TEST(CurvesInThePlane, MeetExactlyWhereTheOracleSaysSo) {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const Scene scene = curves(seed);
@@ -58,7 +58,7 @@ TEST(CurvesInThePlane, MeetExactlyWhereTheOracleSaysSo) {
   }
 }
 
-// Bug: the plane's normal, which is no way out of a contact within it.
+// Bug: the contact gets the plane's normal, along which a pair within the plane cannot be parted.
 TEST(CurvesInThePlane, ArePartedByNormalsThatLieInIt) {
   std::size_t count = 0;
   for (std::uint64_t seed = 0; seed < 8; ++seed)
@@ -76,7 +76,7 @@ TEST(CurvesInThePlane, ArePartedByNormalsThatLieInIt) {
   EXPECT_GT(count, 50u);
 }
 
-// Bug: the plane has no distances of its own.
+// Bug: distances fail for pairs that lie in one plane.
 TEST(CurvesInThePlane, HaveDistancesAndStepLengths) {
   Scene scene;
   scene.loose_edges.push_back({scene.add_vertex({0, 0, 0}, {0, 0, 0}, 0), scene.add_vertex({4, 0, 0}, {4, 0, 0}, 0)});

@@ -1,5 +1,5 @@
-// Thickness, and a separation that a question brings along: what counts as contact differs from pair to pair and from
-// question to question, with one hierarchy. Against the oracle, which decides each pair's distance exactly.
+// Radii, and a question's own separation: the distance that counts as contact differs from pair to pair and from
+// question to question, with one hierarchy. Compares with the oracle, which decides each pair's distance exactly.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ double size_of(const Scene& scene) {
   return size;
 }
 
-/// Three groups that cut through the scene's objects, so that features join them.
+/// Options with three groups that cut through the scene's objects, so that features have vertices of several groups.
 lab::Options thick(const Scene& scene, const std::vector<double>& radii, Method method) {
   lab::Options options;
   options.method = method;
@@ -36,7 +36,7 @@ lab::Options thick(const Scene& scene, const std::vector<double>& radii, Method 
   return options;
 }
 
-/// By its own lines: the largest radius of each feature's vertices.
+/// Computed without the library: the largest radius of each feature's vertices, plus `fixed`.
 double separation_of(const lab::Options& options, double fixed, PairKind kind, const PairVertices& v) {
   const auto radius = [&](std::size_t i) {
     if (v[i] < 0) return 0.0;  // loose features have fewer vertices
@@ -48,7 +48,8 @@ double separation_of(const lab::Options& options, double fixed, PairKind kind, c
 
 class Thickness : public testing::TestWithParam<Recipe> {};
 
-// Bugs: boxes or lanes that take the radius of another vertex, of one feature only, or none; a method that forgets it.
+// Bugs: boxes or lanes that use the radius of another vertex, of one feature only, or none; a method that ignores
+// radii.
 TEST_P(Thickness, EveryMethodFindsThePairsWithinBothRadii) {
   const Scene scene = GetParam().make(20, 3);
   const double size = size_of(scene), fixed = 0.01 * size;
@@ -74,7 +75,7 @@ TEST_P(Thickness, EveryMethodFindsThePairsWithinBothRadii) {
   }
 }
 
-// Bug: step lengths by another separation than contacts.
+// Bug: step lengths use another separation than contacts.
 TEST_P(Thickness, StepLengthsOfAllMethodsAreTheSameBits) {
   Scene scene = GetParam().make(40, 8);
   for (std::size_t v = 0; v < scene.end.size(); ++v)
@@ -95,7 +96,7 @@ TEST_P(Thickness, StepLengthsOfAllMethodsAreTheSameBits) {
   }
 }
 
-// Bug: what a question brings is kept for the next, or the tree does not grow and shrink with it.
+// Bug: a question's own separation is kept for the next question, or the tree's boxes do not grow and shrink with it.
 TEST_P(Thickness, AQuestionsOwnSeparationAnswersAsADetectorsDoes) {
   const Scene scene = GetParam().make(60, 4);
   const double size = size_of(scene);
@@ -143,7 +144,7 @@ TEST(ThicknessInLanes, EveryInstructionSetGivesTheSameContacts) {
         EXPECT_EQ(found[i].vertices, expected[i].vertices);
         EXPECT_EQ(found[i].toi_upper, expected[i].toi_upper);
       }
-    } catch (const InvalidOptions&) {  // this machine has no such instructions
+    } catch (const InvalidOptions&) {  // this machine lacks the instruction set
     }
   }
 }
@@ -170,7 +171,7 @@ TEST(ThicknessThatDoesNotFit, IsRefusedByName) {
   }
 }
 
-// Bug: a separation that is infinite as a sum went on into integers, which have no infinity.
+// Bug: the sum of radii and separation was infinite, and went to exact algebra, whose integers have no infinity.
 TEST(Radii, AndSeparationTogetherAreFinite) {
   const Mesh mesh(6, {{0, 1, 2}, {3, 4, 5}});
   const std::vector<Point> start{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}};

@@ -1,4 +1,4 @@
-// Pairs too few edges apart: left out of every answer, by every method, and nothing else is.
+// Pairs that are too few edges apart: every method leaves them out of every answer, and no other pairs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ lab::Options with(Method method, int rings) {
   return options;
 }
 
-/// Without those that are neighbours, by their features' vertices.
+/// The rows whose features are no neighbours. `first(row)`, `second(row)`: vertices of the features.
 template <class Row, class First, class Second>
 std::vector<Row> far_apart(std::vector<Row> rows, const Rings& rings, const First& first, const Second& second) {
   std::erase_if(rows, [&](const Row& row) { return rings.are_neighbours(first(row), second(row)); });
@@ -53,8 +53,8 @@ class RingsOf : public testing::TestWithParam<Recipe> {
   const Scene scene = GetParam().make(90, 37);
 };
 
-// Bugs: a question, or a method's way past the decision of a pair, that does not ask; neighbours that bound the search
-// of what is first; a pair that is left out and is no neighbour.
+// Bugs: a question that does not ask for neighbours, or a method that bypasses the decision of a pair; neighbours that
+// bound the search for the first contact; a pair that is left out although it is no neighbour.
 TEST_P(RingsOf, LeaveOutNeighboursAlone) {
   const Mesh mesh = scene.mesh();
   constexpr double kNear = 0.25;
@@ -91,7 +91,7 @@ TEST_P(RingsOf, LeaveOutNeighboursAlone) {
   }
 }
 
-// Bugs: a step length that a neighbour ends, or one that nothing ends as its first pair was a neighbour.
+// Bugs: a neighbour ends the step, or nothing ends it because the first pair was a neighbour.
 TEST_P(RingsOf, StepLengthsAreThoseOfEveryPair) {
   for (const int number : {1, 2, 3}) {
     const SafeStep truth = lab::make_detector(scene.mesh(), with(Method::brute, number)).safe_step(scene.step(), 0.2);
@@ -109,13 +109,13 @@ TEST_P(RingsOf, StepLengthsAreThoseOfEveryPair) {
 INSTANTIATE_TEST_SUITE_P(Scenes, RingsOf, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
                          scene_test_name);
 
-// Bugs: a number that is none, taken.
+// Bug: a number of rings below one is accepted.
 TEST(RingsFilter, IsOneOrMore) {
   const Mesh mesh(3, {{0, 1, 2}});
   for (const int rings : {0, -1}) EXPECT_THROW(lab::make_detector(mesh, with(Method::tamis, rings)), InvalidOptions);
 }
 
-/// By one thread: with more, what buffers hold depends on which of them came to do something.
+/// With one thread: with more, the size of buffers depends on which threads got work.
 std::uint64_t memory_of(const Scene& scene, Options options) {
   options.threads = 1;
   Detector detector(scene.mesh(), options);
@@ -123,7 +123,7 @@ std::uint64_t memory_of(const Scene& scene, Options options) {
   return detector.statistics().memory_bytes;
 }
 
-// Bug: what is kept of neighbours, groups and radii, and is not in the memory that a detector says it holds.
+// Bug: the memory that a detector reports lacks that of neighbours, groups and radii.
 TEST(Memory, NeighboursGroupsAndRadiiCount) {
   const Scene scene = scenes::scene_by_name("folded-cloth", 3000, 3);
   const auto vertices = static_cast<std::uint64_t>(scene.vertex_count());

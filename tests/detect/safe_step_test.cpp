@@ -1,5 +1,5 @@
-// How far the step may go so that every pair keeps a fraction of its distance: the methods against each other, and
-// against distances sampled in time. Steps whose answer is known: known_step_test.cpp.
+// safe_step: how far the step may go so that every pair keeps a fraction of its distance. Compares the methods with
+// each other, and with distances sampled in time. Scenes with known answers are in known_step_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 
 using scenes::Recipe, scenes::Scene;
 
-/// Each point a part of the way between its two ends.
+/// The positions at time t of the step.
 std::vector<Point> between(const Scene& scene, double t) {
   std::vector<Point> points = scene.start;
   for (std::size_t v = 0; v < points.size(); ++v)
@@ -50,7 +50,7 @@ TEST_P(StepLength, MethodsGiveTheSameBits) {
     }
 }
 
-/// All turned by so much about an axis through no symmetry of anything, and moved: nothing changes its shape at t=1.
+/// The scene turned by `angle` about an axis that is no symmetry axis, and moved: at t=1 every shape is as at t=0.
 Scene turned(const Scene& scene, double angle, double far) {
   Scene result = scene;
   const double c = std::cos(angle), s = std::sin(angle);
@@ -63,8 +63,8 @@ Scene turned(const Scene& scene, double angle, double far) {
   return result;
 }
 
-// Bug: a pair that is left out because it moves or turns as a whole, but comes too near on its way; by a half turn all
-// pass through one line.
+// Bug: a pair is left out because it moves or turns as a whole, though it comes too near in between: with a half turn,
+// all points pass through one line.
 TEST_P(StepLength, MethodsGiveTheSameBitsOnFastMotion) {
   for (std::uint64_t seed = 0; seed < 2; ++seed) {
     const Scene scene = GetParam().make(60, 91 + seed);
@@ -82,7 +82,7 @@ TEST_P(StepLength, MethodsGiveTheSameBitsOnFastMotion) {
   }
 }
 
-/// Every object turned by its own angle and stretched, and besides moved by a part of its own motion.
+/// Turns every object by its own angle, stretches it, and adds a part of its own motion.
 Scene turned_each(const Scene& scene, double angle, double stretch, double part) {
   Scene result = scene;
   const Components objects = components_of(scene.mesh());
@@ -95,8 +95,8 @@ Scene turned_each(const Scene& scene, double angle, double stretch, double part)
   return result;
 }
 
-// Bugs: what pairs lose besides the motion they share is taken for less than it is, is not paid for in full where they
-// shrink together or have a separation, or is compared between objects that share none.
+// Bugs: the distance that pairs lose by their residuals is underestimated, does not count in full where the shared
+// motion shrinks them or with a separation, or is compared between objects that share no motion.
 TEST_P(StepLength, MethodsGiveTheSameBitsBesideASharedMotion) {
   for (const double angle : {0.0, 0.6, -1.4})
     for (const double stretch : {1.0, 0.5})
@@ -112,7 +112,7 @@ TEST_P(StepLength, MethodsGiveTheSameBitsBesideASharedMotion) {
       }
 }
 
-// Bug: whatever makes a pair come nearer than promised; distances are rounded here, so by more than that only.
+// Bug: any error that lets a pair come nearer than promised, by more than the rounding of the distances computed here.
 TEST_P(StepLength, SampledDistancesStayAboveTheFraction) {
   const Scene scene = GetParam().make(60, 5);
   const Mesh mesh = scene.mesh();
@@ -141,12 +141,13 @@ TEST_P(StepLength, ThreadsAndInstructionSetsChangeNoBit) {
       for (options.threads = 1; options.threads <= 2; ++options.threads)
         for (int repetition = 0; repetition < 2; ++repetition)
           expect_same(keep(scene, 0.3, options), one, std::string(name_of(isa)));
-    } catch (const InvalidOptions&) {  // this machine has no such instructions
+    } catch (const InvalidOptions&) {  // this machine lacks the instruction set
     }
   }
 }
 
-/// All of it in a corner of a frame that is larger by 2^exponent, where a triangle stays.
+/// The scene in a corner of a frame that is 2^exponent times as large; a triangle at rest in the opposite corner spans
+/// it.
 Scene in_a_corner(Scene scene, int exponent) {
   for (auto* points : {&scene.start, &scene.end})
     for (Point& p : *points)
@@ -157,7 +158,8 @@ Scene in_a_corner(Scene scene, int exponent) {
   return scene;
 }
 
-// Bug: floats in a common frame, in which distances are as small as what rounding hides, prove what is not so.
+// Bug: in floats of a common frame, distances are as small as rounding errors, and a pair is wrongly proven to keep
+// them.
 TEST_P(StepLength, RoundingInALargeFrameChangesNoBit) {
   for (const int exponent : {8, 14, 18, 20, 22, 24, 28}) {
     const Scene scene = in_a_corner(GetParam().make(40, 83), exponent);
@@ -183,7 +185,7 @@ TEST_P(StepLength, UnitOfLengthChangesNoBit) {
   }
 }
 
-/// Coordinates times a power of two such that the largest is at the end of the range of doubles.
+/// The scene times a power of two that brings the largest coordinate to the end of the range of doubles.
 Scene at_the_end_of_the_range(Scene scene) {
   double largest = 0;
   for (const auto* points : {&scene.start, &scene.end})
@@ -195,7 +197,7 @@ Scene at_the_end_of_the_range(Scene scene) {
   return scene;
 }
 
-// Bug: where differences overflow, nothing is known of a pair, and so the whole step may go.
+// Bug: if differences overflow, nothing is known about a pair, and it is taken not to end the step.
 TEST_P(StepLength, DifferencesThatOverflowChangeNoBit) {
   const Scene scene = GetParam().make(80, 79), large = at_the_end_of_the_range(scene);
   for (const double fraction : {0.0, 0.2, 0.8}) {
@@ -208,7 +210,7 @@ TEST_P(StepLength, DifferencesThatOverflowChangeNoBit) {
   }
 }
 
-// Bug: what contacts say and what distances say are two stories.
+// Bug: step lengths contradict contacts.
 TEST_P(StepLength, EndsBeforeTheEarliestContact) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const Scene scene = GetParam().make(100, 80 + seed);
@@ -227,8 +229,7 @@ TEST_P(StepLength, EndsBeforeTheEarliestContact) {
 INSTANTIATE_TEST_SUITE_P(Scenes, StepLength, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
                          scene_test_name);
 
-// Bug: boxes, an order, or a time left over from an earlier question.
-// Bug: rounding alone took more of the distance than a pair could lose, though nothing moved.
+// Bug: rounding alone took more of the distance than a pair may lose, though nothing moved.
 TEST(SafeStep, IsWholeOfWhatStandsStillHoweverMuchIsKept) {
   for (const char* name : {"colliding-bodies", "folded-cloth"}) {
     const Scene scene = scenes::scene_by_name(name, 200, 1);
@@ -238,6 +239,7 @@ TEST(SafeStep, IsWholeOfWhatStandsStillHoweverMuchIsKept) {
   }
 }
 
+// Bug: boxes, an order, or a time left over from an earlier question.
 TEST(SafeStepReuse, AnswersAsANewDetectorWould) {
   const Scene scene = scenes::scene_by_name("folded-cloth", 1000, 1);
   Detector kept(scene.mesh());

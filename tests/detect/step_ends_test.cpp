@@ -1,4 +1,5 @@
-// The ends of the step: what touches at t=0 or t=1 exactly is a contact, what would touch just outside is none.
+// The ends of the step: a pair that touches exactly at t=0 or t=1 is a contact; one that would touch just before or
+// after the step is none.
 #include <gtest/gtest.h>
 
 #include "lab/detector.hpp"
@@ -28,7 +29,7 @@ class StepEnds : public testing::TestWithParam<Method> {
   }
 };
 
-// Catches a hierarchy that rounds the end of the step up and hands contacts beyond it to the solver.
+// Catches a hierarchy that rounds the end of the step up, so that the solver reports contacts beyond it.
 TEST_P(StepEnds, ContactsBeyondTheStepAreNone) {
   for (const double just : {1e-6, 1e-7, 3e-8, 1e-8, 1e-10, 1e-12}) {
     EXPECT_TRUE(contacts(falling_point(1, just)).empty()) << "after the end, " << just;

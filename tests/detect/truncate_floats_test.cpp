@@ -1,4 +1,4 @@
-// Positions that are stored as floats: proven as what is stored.
+// Truncated steps whose positions are stored as floats: the proof must hold for the stored positions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,8 +22,8 @@ void expect_proven_floats(Detector& detector, const Scene& scene, const Truncate
 
 class TruncateFloats : public testing::TestWithParam<scenes::Recipe> {};
 
-// Bug: positions are proven as doubles and stored as floats, which are others. Moved far away, floats lie half a unit
-// apart there, and scenes of some units are flattened onto few of them.
+// Bug: positions are proven as doubles and stored as floats, which are other positions. Far away, floats are half a
+// unit apart, and scenes of a few units are flattened onto few of them.
 TEST_P(TruncateFloats, FloatsAreProvenAsTheyAreStored) {
   for (const double away : {1e3, 8e6})
     for (const double separation : {0.0, 0x1p-7}) {
@@ -44,7 +44,8 @@ TEST_P(TruncateFloats, FloatsAreProvenAsTheyAreStored) {
 INSTANTIATE_TEST_SUITE_P(Scenes, TruncateFloats, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
                          scene_test_name);
 
-// Bug: planes without room for rounding: where the gap is of some floats, both are rounded across them and stay.
+// Bug: planes have no slack for rounding: if the gap is a few floats wide, both features would be rounded across them,
+// and stay.
 TEST(Truncate, LeavesRoomForFloatsHoweverLittleThereIs) {
   int moved = 0, places = 0;
   for (const float far : {0.0F, 1.0F, 1000.0F, 8e6F})
@@ -55,7 +56,7 @@ TEST(Truncate, LeavesRoomForFloatsHoweverLittleThereIs) {
         Scene scene = two_falls(separation + ulps * ulp, 0.7, {far, -far, surface}, far > 1e6F ? 8 : 1);
         scene.start = as_floats(scene.start);
         Detector detector = lab::make_detector(scene.mesh(), with(Method::tamis, separation));
-        if (!detector.is_free({scene.start, scene.start})) continue;  // rounded together
+        if (!detector.is_free({scene.start, scene.start})) continue;  // rounding has closed the gap
         const TruncatedStep to = detector.truncate(scene.step(), 0.1, {}, Stored::float32);
         SCOPED_TRACE(testing::Message() << ulps << " ulps above, at " << far << ", separation " << separation);
         EXPECT_TRUE(to.is_free);
@@ -68,7 +69,7 @@ TEST(Truncate, LeavesRoomForFloatsHoweverLittleThereIs) {
   EXPECT_GT(moved, places * 2 / 3);
 }
 
-// Bug: an end that is no float is reached in doubles, where the whole step is free, and stored somewhere else.
+// Bug: if the whole step is free, it ends at positions that are no floats, and other positions are stored.
 TEST(Truncate, TheWholeStepEndsAtFloatsToo) {
   Scene scene = two_falls(1, 0.1);
   scene.start = as_floats(scene.start);

@@ -1,4 +1,4 @@
-// Where a step may end, by scenes of a few features: of what is near, as much moves as may.
+// Truncated steps of scenes with a few features: near pairs move as far as they may.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -24,8 +24,8 @@ TEST(Truncate, ANearPairDoesNotStopTheOthers) {
   EXPECT_LT(to.positions[3][2], 0.06);
 }
 
-// Bug, once: 30 of 234 such points touched where they were to go, or were 8e-10 within the separation; those positions
-// had been rounded, and there was no room for that.
+// Bug, once: at the positions returned, 30 of 234 such points touched or were nearer than the separation by 8e-10,
+// because there was no slack for the rounding of positions.
 TEST(Truncate, LeavesRoomForRoundingHoweverLittleThereIs) {
   int moved = 0;
   for (const double far : {0.0, 1.0, 1000.0, 8e6})
@@ -36,7 +36,7 @@ TEST(Truncate, LeavesRoomForRoundingHoweverLittleThereIs) {
           const double ulp = std::nextafter(surface + separation, HUGE_VAL) - (surface + separation);
           Scene scene = two_falls(separation + ulps * ulp, 0.7, {far, -far, surface}, size);
           Detector detector = lab::make_detector(scene.mesh(), with(Method::tamis, separation));
-          if (!detector.is_free({scene.start, scene.start})) continue;  // rounded together
+          if (!detector.is_free({scene.start, scene.start})) continue;  // rounding has closed the gap
           const TruncatedStep to = detector.truncate(scene.step());
           SCOPED_TRACE(testing::Message() << ulps << " ulps above, at " << far << ", separation " << separation);
           EXPECT_TRUE(to.is_free);
@@ -51,7 +51,8 @@ TEST(Truncate, LeavesRoomForRoundingHoweverLittleThereIs) {
   EXPECT_GT(moved, 50);
 }
 
-// Bug: no reach where the square of a length is infinite. The face slides within its plane until it meets a point.
+// Bug: there is no reach if the square of a length is infinite. The face slides within its plane until it meets a
+// point.
 TEST(Truncate, AVertexDoesNotPassAFaceThatIsFast) {
   for (const double away : {1e3, 1e150, 4e159, 1e300}) {
     const Mesh mesh(5, {{0, 1, 2}}, {}, {3, 4});
@@ -66,8 +67,8 @@ TEST(Truncate, AVertexDoesNotPassAFaceThatIsFast) {
   }
 }
 
-// Bug: such a question never ended. What stands still was not proven to keep nearly all of its distance: rounding alone
-// takes more.
+// Bug: a question that keeps nearly all of each distance never ended. Even features at rest were not proven to keep so
+// much, because rounding alone takes more.
 TEST(Truncate, EndsHoweverMuchIsKept) {
   for (const double above : {0.5, 1e-3, 1e-7})
     for (const double lost : {0x1p-25, 0x1p-40, 0x1p-53}) {
@@ -113,7 +114,8 @@ TEST(Truncate, WhatStartsWithinTheSeparationMayLeaveButNotComeNearer) {
   }
 }
 
-/// Triangles above each other, a hundredth apart, that fall by half on one that stays; one touches that, or not.
+/// Triangles above each other, a hundredth apart. All but the lowest fall by one half; a point touches the lowest at
+/// the start if `touches`.
 Scene stack(int layers, bool touches) {
   Scene scene;
   for (int layer = 0; layer < layers; ++layer) {
@@ -127,8 +129,8 @@ Scene stack(int layers, bool touches) {
   return scene;
 }
 
-// Bug: each layer stops a round after the one below it; when rounds end, all go back to where all go together, which is
-// the start if anything touches.
+// Bug: each layer stops one round after the layer below it. When the rounds are used up, all vertices go back to the
+// end of the common step, which is the start if any pair touches there.
 TEST(Truncate, AStackSettlesHoweverHighItIs) {
   for (const int layers : {10, 80})
     for (const bool touches : {false, true}) {
@@ -141,8 +143,8 @@ TEST(Truncate, AStackSettlesHoweverHighItIs) {
     }
 }
 
-// Bug, once: pairs were listed by how far each vertex may go and its own radius, though an edge has the radius of its
-// thick end where its thin end goes.
+// Bug, once: pairs were listed by each vertex' reach and own radius, though an edge has the radius of its thick end at
+// its thin end, too.
 TEST(Truncate, TheThinEndOfAThickEdgeGoesNoNearerThanTheEdgeMay) {
   Scene scene;
   const auto add = [&](const Point& start, const Point& end, Index group) {
@@ -152,7 +154,7 @@ TEST(Truncate, TheThinEndOfAThickEdgeGoesNoNearerThanTheEdgeMay) {
   scene.loose_edges.push_back({thin, thick});
   const Index below = add({0, -1, 0}, {0, -1, 0}, 0);
   scene.loose_edges.push_back({below, add({0, 1, 0}, {0, 1, 0}, 0)});
-  for (int i = 0; i < 200; ++i) {  // that stay: the mean of all ways is short
+  for (int i = 0; i < 200; ++i) {  // these stay, so that the mean displacement is short
     const Point at{-100.0 - i, 0, 0};
     scene.loose_points.push_back(add(at, at, 0));
   }
@@ -165,7 +167,7 @@ TEST(Truncate, TheThinEndOfAThickEdgeGoesNoNearerThanTheEdgeMay) {
   EXPECT_TRUE(Detector(scene.mesh(), options).is_free({scene.start, to.positions}));
 }
 
-// Bug: a mesh without edges has no length to measure reach by, and stays.
+// Bug: a mesh without edges has no length by which to measure reach, and does not move.
 TEST(Truncate, PointsAloneGoTheirWay) {
   const std::vector<Point> start{{0, 0, 0}, {1, 0, 0}, {0, 5, 0}}, end{{2, 0, 0}, {-1, 0, 0}, {0, 9, 0}};
   const TruncatedStep to = Detector(Mesh(3, {}, {}, {0, 1, 2})).truncate({start, end}, 0.1);
@@ -175,7 +177,7 @@ TEST(Truncate, PointsAloneGoTheirWay) {
   EXPECT_LT(to.positions[1][0] - to.positions[0][0], 0.2);
 }
 
-// Bug: what touches at the start, and is ignored for it, came back to touch at the very end.
+// Bug: a pair that touched at the start, and was ignored, came back and touched at the very end.
 TEST(Truncate, WhatIsIgnoredAtTheStartDoesNotTouchAtTheEnd) {
   const std::vector<Point> start{{0, 0, 0}, {1, 0, 2}, {0, 1, 2}, {0, 0, 0}};
   const std::vector<Point> end{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25, 0.25, 0}};
@@ -187,12 +189,12 @@ TEST(Truncate, WhatIsIgnoredAtTheStartDoesNotTouchAtTheEnd) {
   EXPECT_TRUE(detector.safe_step({start, end}, 0.1, ignore).pair.has_value());
 }
 
-/// Far aside a point touches a triangle, so that no vertex goes a common way first.
+/// Adds a point that touches a triangle, far from the others, so that there is no common step.
 void add_touching(std::vector<Point>& points) {
   for (const Point& p : {Point{10, 0, 0}, Point{11, 0, 0}, Point{10, 1, 0}, Point{10.25, 0.25, 0}}) points.push_back(p);
 }
 
-// Bug: a point has no edges, and went no farther than a part of the finest body's, wherever that was.
+// Bug: a point, which has no edges, went no farther than a part of the finest body's edges, wherever that body was.
 TEST(Truncate, APointGoesOnHoweverFineABodyIsElsewhere) {
   for (const double size : {1.0, 1e-3, 1e-6}) {
     std::vector<Point> start{{100, 0, 0}, {100 + size, 0, 0}, {100, size, 0}, {0, 0, 100}};
@@ -204,8 +206,8 @@ TEST(Truncate, APointGoesOnHoweverFineABodyIsElsewhere) {
   }
 }
 
-// Bug: a face that slides within its plane, or from it by rounding, was held by what falls on it: its side of the
-// planes had no room at all.
+// Bug: a face that slides within its plane, or leaves it by rounding only, was held by a point that falls on it: its
+// side of the planes had no slack at all.
 TEST(Truncate, AFaceSlidesBelowWhatFallsOnIt) {
   for (const Stored stored : {Stored::float64, Stored::float32})
     for (int turn = 0; turn < 24; ++turn) {
@@ -227,7 +229,7 @@ TEST(Truncate, AFaceSlidesBelowWhatFallsOnIt) {
     }
 }
 
-// Bug: the pairs that `pairs_within` has found are those of the search for planes.
+// Bug: the search for planes overwrites the pairs that `pairs_within` has returned.
 TEST(Truncate, LeavesOtherAnswersAlone) {
   const Scene scene = two_falls(0.5, 1);
   Detector detector(scene.mesh());

@@ -1,4 +1,4 @@
-// Steps that cannot be stored as floats, and fractions that are none.
+// Truncation refuses steps that cannot be stored as floats, and invalid fractions.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -11,7 +11,7 @@
 namespace tamis::test {
 namespace {
 
-/// What is said of a step.
+/// The message that refuses to truncate the scene's step to floats; empty if it is not refused.
 std::string refusal(const Scene& scene) {
   try {
     Detector(scene.mesh()).truncate(scene.step(), 0.1, {}, Stored::float32);

@@ -1,5 +1,5 @@
-// Where a step may end: of every pair, looked at by itself at many times of the straight way to the very positions, as
-// much of its distance is left as was asked for; and one pair does not stop the rest.
+// Truncated steps: on the straight way to the returned positions, every pair keeps the part of its distance that was
+// asked for (checked for each pair by itself, at many times); and one pair does not stop the others.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 
 class TruncateScene : public testing::TestWithParam<scenes::Recipe> {};
 
-// Bugs: a pair without a plane; one that keeps its part until all have gone together, and an eighth of that after; a
-// bound that holds on the way that was planned and not on the straight one; a position rounded nearer.
+// Bugs: a pair without a plane; one that keeps its part until the end of the common step, and only an eighth of that
+// afterwards; a bound that holds on the planned way but not on the straight one; a position that is rounded nearer.
 TEST_P(TruncateScene, EveryPairKeepsTheFractionOfItsDistance) {
   for (std::uint64_t seed = 0; seed < 2; ++seed)
     for (const double separation : {0.0, 0x1p-7})
@@ -55,7 +55,7 @@ TEST_P(TruncateScene, MethodsAgreeAndPartsSayWherePositionsAre) {
     }
 }
 
-// There sums of products overflow on their way, though the result would not.
+// Bug: among the largest doubles, sums of products overflow though their result would not.
 TEST_P(TruncateScene, IsFreeAmongTheLargestDoubles) {
   Scene scene = GetParam().make(100, 7);
   double largest = 0;

@@ -19,7 +19,7 @@ std::vector<Point> at_time(const std::vector<Point>& from, const std::vector<Poi
   return points;
 }
 
-/// The largest coordinate of a pair's vertices: the unit of what rounding takes from a distance.
+/// The largest |coordinate| of a pair's vertices: the unit for the rounding of a distance.
 double size_of(const std::vector<Point>& points, const PairVertices& vertices) {
   double size = 0;
   for (const Index v : vertices)

@@ -1,7 +1,7 @@
-// The families of single pairs through a whole detector with a separation: many pairs in one place, and a filter that
-// lets each meet its own partner only. Each must come out of the lanes, bit for bit, as the functions for one pair have
-// it, which tests/solve holds against the oracle. Would catch: a lane that goes another way than one pair alone, one
-// that takes its neighbour's place as ranks close, a pair that is lost on the way from look to look.
+// Runs the families of single pairs through a whole detector with a separation: many pairs in one place, and a filter
+// that lets each feature meet its own partner only. Lanes must give the same bits as the functions for one pair, which
+// tests/solve compares with the oracle. Would catch: a lane that computes otherwise than the function for one pair, a
+// lane that takes a neighbour's data when pairs are compacted, a pair that is lost between two probes.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -105,7 +105,8 @@ TEST_P(WithinLanes, SayBitForBitWhatTheFunctionsForOnePairSay) {
   }
 }
 
-// Would catch lanes that leave most of a scene to be decided one by one, which is ten times slower and says the same.
+// Would catch: lanes that leave most pairs of a scene to be decided one by one, with the same answers but ten times
+// slower.
 TEST_P(WithinLanes, DecideNearlyAllPairsOfACloth) {
   const scenes::Scene scene = scenes::scene_by_name("folded-cloth", 3000, 3);
   for (const double separation : {1e-6, 1e-3, 1e-2}) try {
@@ -119,7 +120,7 @@ TEST_P(WithinLanes, DecideNearlyAllPairsOfACloth) {
       EXPECT_GT(contacts, 100u);
       EXPECT_GE(by.lanes, contacts - contacts / 100) << separation;
       EXPECT_LE(by.scalar + by.exact, by.lanes / 100) << separation;
-      // Axes leave few pairs that are free.
+      // The separation axes cull nearly all free pairs.
       EXPECT_LE(statistics.stages.back().vf + statistics.stages.back().ee, 2 * contacts) << separation;
     } catch (const InvalidOptions& without_isa) {
       GTEST_SKIP() << without_isa.what();

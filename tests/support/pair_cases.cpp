@@ -49,8 +49,8 @@ Motion exact_contact(PairKind kind, Random& random) {
   }
   const double t = dyadic_parameter(random), u = dyadic_parameter(random);
   const double v = (kind == PairKind::vertex_face ? 1 - u : 1) * dyadic_parameter(random);
-  // Shifts the first feature's motion so that vertex 0, or the point v on its edge, meets the other feature at time t.
-  // (Of a face, `target` is the point; of an edge, its point u.)
+  // Shifts the first feature with its motion so that vertex 0, or the point v on its edge, meets the other feature at
+  // time t.
   const std::size_t moved = kind == PairKind::edge_edge ? 1 : 0;
   Point target = (1 - u) * at(m, 2, t) + u * at(m, 3, t);
   Point own = at(m, 0, t);

@@ -184,7 +184,7 @@ TEST_P(AtStartIn, EveryQuestionFailsForTheSamePair) {
     expect_failure("contacts", [&] { detector.contacts(few.step(), kFail); });
     expect_failure("earliest", [&] { detector.earliest(few.step(), kFail); });
     expect_failure("is_free", [&] { detector.is_free(few.step(), kFail); });
-    if (method != Method::tamis) continue;  // other methods use the same engine for these questions
+    if (method != Method::tamis) continue;  // the others ask it
     expect_failure("safe_step", [&] { detector.safe_step(few.step(), 0.1, kFail); });
     expect_failure("safe_step 0", [&] { detector.safe_step(few.step(), 0, kFail); });
     expect_failure("truncate", [&] { detector.truncate(few.step(), 0.1, kFail); });

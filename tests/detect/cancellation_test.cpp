@@ -65,8 +65,8 @@ TEST_P(Cancellation, AtAnyMomentLeavesTheDetectorUsable) {
   const int moments = asked;
   ASSERT_GT(moments, 2) << "too few to stop in the middle";
   for (int moment = 0; moment < moments; moment += 1 + moments / 8) {
-    Detector detector = lab::make_detector(
-        scene.mesh(), options);  // a kept one may have listed pairs, and calls is_cancelled less often
+    // A new detector: a kept one may have listed pairs, and calls is_cancelled less often.
+    Detector detector = lab::make_detector(scene.mesh(), options);
     asked = 0;
     cancel_at = moment;
     EXPECT_THROW(detector.contacts(scene.step()), Cancelled);

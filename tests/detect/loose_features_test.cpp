@@ -48,7 +48,7 @@ PairSet truth_of(const Scene& scene, double separation) {
 }
 
 // Bug: a face whose corners are one vertex keeps this from counting as a loose point, though the face has no edge: a
-// rod goes through the vertex unseen.
+// rod goes through the vertex unseen, in steps that are all reported free.
 TEST(LooseFeatures, AFaceThatIsOneVertexIsAPoint) {
   const std::vector<Point> start{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {9, 9, 9}},
       end{{0, 0, 0}, {1, 0, 0}, {0.5, -1, 0}, {9, 9, 9}};

@@ -103,7 +103,7 @@ TEST_P(Near, EveryMethodGivesTheSameBits) {
   }
 }
 
-// Bugs: a cull by an unproven bound; weights, direction or corners of another pair or another feature.
+// Bugs: a cull by an unproven bound; weights, direction or vertices of another pair or another feature.
 TEST_P(Near, DistancesAreThoseOfExactArithmeticAndNoPairIsMissing) {
   const Scene scene = GetParam().make(24, 9);
   for (const double part : {0.0, 0.03, 0.3}) {

@@ -125,7 +125,7 @@ TEST(PairFilterBlocks, WholeBlocksAreLeftOut) {
 }
 
 // Catches a question that tests or lists pairs although their groups leave them out. Each group may touch itself, so
-// that no whole blocks are left out.
+// that blocks are mixed.
 TEST(PairFilterBlocks, PairsThatGroupsLeaveOutAreNotLookedAt) {
   const Scene scene = flat_sheets(20, 0.1, -0.1);
   struct Cost {

@@ -36,8 +36,7 @@ enum class HighLevelCulling : std::uint8_t {
   subspace,       ///< x = X + U q: q is too short for a self-contact; needs PaperOptions::reduced_model
 };
 
-/// Options of Method::paper. The defaults are the published system, other choices its competitors; all give the same
-/// contacts.
+/// Of Method::paper. The defaults are the published system, other choices its competitors; all give the same contacts.
 struct PaperOptions {
   BoundingVolume bounding_volume = BoundingVolume::dop16;
   /// Filters by name, in the order in which they are tried: see filter_names().

@@ -1,5 +1,4 @@
-// tamis_distributed TRIANGLES_A_RANK: how much ranks own, borrow, send and test, in a line of CSV for each question
-// (under mpirun).
+// tamis_distributed TRIANGLES_A_RANK (under mpirun): how much ranks own, borrow, send and test, as a line of CSV.
 #include <mpi.h>
 
 #include <algorithm>

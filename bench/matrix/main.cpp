@@ -59,8 +59,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Milliseconds of each question of the cell: medians of runs that together take a fiftieth of a second, at least one
-/// run.
+/// Milliseconds of each question of the cell: medians of as many runs as fit into a fiftieth of a second, at least one.
 std::vector<double> time(Session& session) {
   constexpr double kEnough = 0.02;
   constexpr std::size_t kMostRuns = 1000;

@@ -1,6 +1,6 @@
 // Curved motion of a whole mesh: two bodies that turn past each other, a little apart. They are alone, above a terrain,
-// or a point far away turns with one of them. tamis_paths [TRIANGLES [REPEAT]]: a Markdown table; triangles of each
-// body, medians, processor time of one thread.
+// or a point far away turns with one of them.
+// tamis_paths [TRIANGLES [REPEAT]]: a Markdown table; triangles of each body, medians, processor time of one thread.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

@@ -34,8 +34,7 @@ class Workload {
   const PackedMotion& motion() const { return motion_; }
   std::vector<BlockTree*> trees() { return {&points_, &edges_, &faces_}; }
 
-  /// Searches the whole step. REQUIRES: `flush` empties the buffer that it is given. Returns the number of nodes
-  /// visited.
+  /// Searches the whole step. REQUIRES: `flush` empties the buffer it is given. Returns the number of nodes visited.
   template <class Flush>
   std::uint64_t search(PairKind kind, const Flush& flush) const {
     const bool is_vf = kind == PairKind::vertex_face;

@@ -7,8 +7,7 @@
 
 #include "worlds/rows.hpp"
 
-/// WHICH: two, many (or one of its numbers of bodies), far, machines (or nut), plates, radii, room, arm, or all, the
-/// default.
+/// WHICH: two, many (or one of its numbers of bodies), far, machines (or nut), plates, radii, room, arm; default: all.
 int main(int count, char** arguments) {
   using namespace tamis::worlds;
   const std::string named = count > 2 ? arguments[2] : "all", which = named == "all" ? "" : named;

@@ -15,8 +15,7 @@ std::vector<Point> moved(std::vector<Point> points, const Point& by) {
   return points;
 }
 
-/// A wavy cloth just above the floor of a large room. It slides, and sinks a little in each step, so that parts of it
-/// touch.
+/// A wavy cloth just above the floor of a large room. It slides, and sinks a little in each step: parts of it touch.
 struct Cloth {
   static constexpr double kEdge = 0.01;
   scenes::Shape shape = sheet(100, kEdge, [](double x, double y) {

@@ -4,8 +4,7 @@
 
 namespace tamis::lab {
 
-/// Computed by Jacobi's rotations. Orthonormal up to a few roundings for every matrix; not certified to be
-/// eigenvectors.
+/// By Jacobi's rotations. Orthonormal up to a few roundings for every matrix; not certified to be eigenvectors.
 std::array<Vec3<double>, 3> principal_axes(const SymmetricMatrix& matrix);
 
 }  // namespace tamis::lab

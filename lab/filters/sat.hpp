@@ -1,9 +1,9 @@
 // SAT, the separating axis test for moving features on constant axes (after Tang, Manocha, Yoon, Du, Heo, Tong 2011):
 // along an axis, the difference of a point of one feature and a point of the other is linear in time. If all
 // differences have one strict sign at t=0 and at t=1, the features are apart during the whole step. Axes: the pair's
-// normal e x f, and its cross products with the edges, at t=0 and at t=1. Any axis is sound, however it is rounded. We
-// deviate: their axes may also be polynomials of time; DNF (the normal) and NCF (edge x normal) are those tests. Error
-// bound: error_bounds::kProjection times the axis' largest component. Cost: 8 (VF) or 6 (EE) axes of about 50.
+// normal e x f, and its cross products with the edges, at t=0 and at t=1. Any axis is sound, however it is rounded.
+// We deviate: their axes may also be polynomials of time; DNF (the normal) and NCF (edge x normal) are those tests.
+// Error bound: error_bounds::kProjection times the axis' largest component. Cost: 8 (VF) or 6 (EE) axes of about 50.
 #pragma once
 #include "filters/filter.hpp"
 #include "motion/difference_corners.hpp"

@@ -155,8 +155,7 @@ class PaperEngine final : public ContactsEngine {
     share_out(sum, seconds, statistics);
   }
 
-  /// Splits the seconds of the one pass among filters, solver and traversal: sums over threads, divided by their
-  /// number.
+  /// Splits the seconds of the one pass among filters, solver and traversal, by the means over the threads.
   static void share_out(const PaperCounts& sum, double seconds, Statistics& statistics) {
     const double threads = std::max(1.0, double(statistics.threads));
     const double filter = sum.filter_seconds / threads, solve = sum.solve_seconds / threads;

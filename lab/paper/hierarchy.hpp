@@ -17,7 +17,7 @@ namespace tamis::lab {
 template <class Volume>
 class PaperHierarchy {
  public:
-  /// Builds the tree the first time, then refits it, and rebuilds it if refitting has made it poor. Returns true if it
+  /// Builds the tree the first time, then refits it, and rebuilds it if that has made it poor. Returns true if it
   /// built. `order`: triangles in an order that each node halves; the tree is then never rebuilt. Empty: splits by
   /// place.
   bool update(std::span<const Face> triangles, const MovingPoints& points, double padding,

@@ -45,8 +45,7 @@ void PatchCulling::update_cones(const BinaryTree& tree, const MovingPoints& poin
   refit(tree, cone_of, cones_);
 }
 
-/// Positions move on straight lines, and so do q and the residual x - (X + U q): both are largest at an end of the
-/// step.
+/// Positions move on straight lines, and so do q and the residual x - (X + U q): both are largest at an end.
 void PatchCulling::update_norm(const BinaryTree& tree, const Step& step) {
   if (!certificates_) certificates_.emplace(tree, mesh_.faces(), *model_);
   norm_ = 0;

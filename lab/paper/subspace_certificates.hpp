@@ -16,8 +16,7 @@ namespace tamis::lab {
 
 class SubspaceCertificates {
  public:
-  /// `triangles` are numbered as in the tree. Time: a bound for each pair of triangles whose norm may be near the
-  /// least.
+  /// `triangles` are numbered as in the tree. Time: a bound for each pair of triangles that comes near the least one.
   SubspaceCertificates(const BinaryTree& tree, std::span<const Face> triangles, const ReducedModel& model);
 
   /// One norm for each node. Zero: nothing is proven; infinity: no q brings two triangles of the node together.

@@ -12,8 +12,7 @@ class Collector {
   Collector(const Mesh& mesh, Index face_count)
       : mesh_(mesh), triangles_(choose_representatives(mesh)), face_count_(face_count) {}
 
-  /// The two representatives of a lost pair share a vertex: so pairs of triangles that share one contain all lost
-  /// pairs.
+  /// The representatives of a lost pair share a vertex: so looks at pairs of triangles that share one.
   OrphanSets collect() {
     for (Index a = 0; a < static_cast<Index>(triangles_.size()); ++a)
       for_each_neighbour(a, [&](Index b) {

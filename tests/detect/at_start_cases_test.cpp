@@ -1,5 +1,4 @@
-// A few pairs that touch at the start: the error message that names them, radii, curves, and how often they are
-// counted.
+// A few pairs that touch at the start: the message that refuses them, radii, curves, and how often they are counted.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -123,8 +123,7 @@ TEST_P(BadInput, OptionsOutsideTheirRange) {
   refuses(bad);
 }
 
-// Bug: the groups of components_of, which are -1 for vertices of no feature, are refused; or radii go to other
-// vertices.
+// Bug: the groups of components_of, -1 for vertices of no feature, are refused; or radii go to other vertices.
 TEST(Groups, AreThoseOfComponents) {
   const Mesh mesh(8, {{1, 2, 3}, {5, 6, 7}});
   const std::vector<Point> points{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0},
@@ -209,8 +208,7 @@ TEST(BadNumber, IsSaidSoThatItReadsBack) {
   says([&] { edge_edge(points, points, {.latest = 1e300}); }, "1e+300");
 }
 
-// Bug: boxes in floats take the whole start of such a step for one point, so that every pair is decided, most in
-// integers.
+// Bug: boxes in floats make one point of such a step's start, so that every pair is decided, most in integers.
 TEST(AStepThatExplodes, HasItsFirstContactInItsBeginning) {
   for (const char* name : {"folded-cloth", "soup"})
     for (const double far : {1e3, 1e300}) {

@@ -86,8 +86,7 @@ Scene points_over_a_face(Index rows, double height) {
   return over;
 }
 
-// Bug: is_cancelled is called only between buffers of thousands of pairs. A pair that is decided in integers may take
-// milliseconds.
+// Bug: is_cancelled is called only between buffers of thousands of pairs; in integers, one pair may take milliseconds.
 TEST_P(Cancellation, ComesBetweenPairsThatAreDecidedOneByOne) {
   options.min_separation = 0.125;
   const Scene over = points_over_a_face(11, 0.125);

@@ -49,8 +49,7 @@ std::string refusal(const Mesh& mesh, PairKind kind, const std::array<Index, 4>&
   }
 }
 
-// Bugs: vertex numbers that the mesh lacks were returned as features. (In many languages, -1 is a valid row of an
-// array.)
+// Bugs: vertex numbers that the mesh lacks were returned as features; -1 is a valid row of an array in many languages.
 TEST(FeaturesOf, OfAnotherMeshAreRefusedByName) {
   const Mesh mesh(5, {{0, 1, 2}, {3, 1, 2}}, {{3, 4}});
   const std::string advice = ": give a pair of this mesh, its vertices as in Contact";

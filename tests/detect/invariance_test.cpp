@@ -37,8 +37,7 @@ class Invariance : public testing::TestWithParam<Recipe> {
   Scene scene(Index triangles, std::uint64_t seed) const { return GetParam().make(triangles, seed); }
 };
 
-// Bugs: an answer that depends on which thread found it, on which part of a shared loop came first, or on how loops are
-// parted.
+// Bugs: an answer that depends on the thread that found it, on which part of a shared loop came first, or on the parts.
 TEST_P(Invariance, AnyNumberOfThreadsGivesTheSameBitsOfEveryQuestion) {
   constexpr int kThreads = 5;
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, kThreads);
@@ -124,8 +123,7 @@ PairSet renamed(const PairSet& names, const std::vector<Index>& order) {
   return result;
 }
 
-/// The scene with vertices renumbered, faces in another order and with other windings, y and z exchanged, and x
-/// mirrored.
+/// Vertices renumbered, faces in another order and each with another winding, y and z exchanged, x mirrored.
 Scene shuffled(const Scene& s, const std::vector<Index>& order, Random& random) {
   Scene result = s;
   for (std::size_t v = 0; v < order.size(); ++v) {

@@ -1,8 +1,7 @@
 // Runs the families of single pairs through a whole detector: many pairs in one mesh, all in one place, and a filter
 // that lets each feature meet its own partner only. So the boxes, the slab clip, the filters and the roots in SIMD
-// lanes meet every degeneracy and every rounding trap that the tests of one pair have, with different neighbours in
-// each block of lanes. TAMIS_LANE_MESHES sets the number of meshes for each family, placement and instruction set (long
-// runs).
+// lanes meet every degeneracy and every rounding trap of the tests of one pair, with unlike neighbours in each block.
+// TAMIS_LANE_MESHES sets the number of meshes for each family, placement and instruction set (long runs).
 #include <gtest/gtest.h>
 
 #include "support/contact_sets.hpp"

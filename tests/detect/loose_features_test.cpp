@@ -64,8 +64,7 @@ TEST(LooseFeatures, AFaceThatIsOneVertexIsAPoint) {
   }
 }
 
-// Bugs: a kind of pair that a method does not look for, finds twice, or leaves out of a question; a tree of the wrong
-// features.
+// Bugs: a kind that a method does not look for, finds twice, or leaves out of a question; a tree of the wrong features.
 TEST(LooseFeatures, MeetInEveryMethodAndQuestion) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Scene scene = rods_and_particles(6, 25, seed);

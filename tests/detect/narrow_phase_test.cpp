@@ -1,6 +1,5 @@
-// Lists of pairs. Would catch: a lane that decides otherwise than the function for one pair, a result in another pair's
-// place, a pair whose answer depends on its neighbours in the list, an index or a coordinate that is read before it is
-// checked.
+// Lists of pairs. Would catch: a lane that decides otherwise than one pair alone, a result in another pair's place, a
+// pair whose answer depends on its neighbours in the list, an index or a coordinate that is read before it is checked.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -241,8 +240,7 @@ TEST(NarrowPhase, PairsThatComeAsPointsSayTheSame) {
   }
 }
 
-// Bug: is_cancelled is not called between hard pairs. Pairs whose points all pass the origin at once take longest to
-// decide.
+// Bug: is_cancelled is not called between hard pairs. Points that all pass the origin at once take longest to decide.
 TEST(NarrowPhase, IsCancelledBetweenHardPairsToo) {
   constexpr std::size_t kPairs = 40;  // less than a batch of the lanes
   std::vector<Point> start(4 * kPairs), end(start.size());

@@ -86,8 +86,7 @@ void check(const NearPair& pair, const Scene& scene) {
 
 class Near : public testing::TestWithParam<Recipe> {};
 
-// Bugs: a box or a lane that is too tight; a pair that comes twice, or in another order; other bits in lanes than for
-// single pairs.
+// Bugs: a box or a lane too tight; a pair that comes twice, or in another order; other bits in lanes than for one pair.
 TEST_P(Near, EveryMethodGivesTheSameBits) {
   for (std::uint64_t seed = 0; seed < 2; ++seed) {
     const Scene scene = GetParam().make(30 + 60 * static_cast<Index>(seed), 61 + seed);

@@ -72,8 +72,7 @@ TEST_P(FarFromOthers, ReachTheOthersByTheirRadii) {
   EXPECT_EQ(detector.safe_step(scene.step(), 0.1, asked).lower, all.safe_step(scene.step(), 0.1, asked).lower);
 }
 
-// Bug: the frame of the boxes holds the outliers, too: its floats make the others one point, and all their pairs are
-// decided.
+// Bug: the frame of the boxes holds the outliers: its floats make one point of the others, and all pairs are decided.
 TEST_P(FarFromOthers, CostTheOthersNothing) {
   const scenes::Scene alone = cloth();
   Detector detector(scene.mesh()), near(alone.mesh());
@@ -157,8 +156,7 @@ TEST(ClothOnTerrain, IsListedAhead) {
   EXPECT_LT(all, 3 * first);
 }
 
-// Bug: above wide triangles, vertices of a cloth went as far as a part of these triangles, past many pairs of the
-// cloth.
+// Bug: above wide triangles, vertices of a cloth went as far as a part of these, past many pairs of the cloth.
 TEST(ClothOnTerrain, IsTruncatedAsAlone) {
   scenes::Scene scene = scenes::scene_by_name("folded-cloth", 1000, 3);
   for (std::size_t v = 0; v < scene.end.size(); ++v)

@@ -48,8 +48,7 @@ double separation_of(const lab::Options& options, double fixed, PairKind kind, c
 
 class Thickness : public testing::TestWithParam<Recipe> {};
 
-// Bugs: boxes or lanes that use the radius of another vertex, of one feature only, or none; a method that ignores
-// radii.
+// Bugs: boxes or lanes with the radius of another vertex, of one feature only, or none; a method that ignores radii.
 TEST_P(Thickness, EveryMethodFindsThePairsWithinBothRadii) {
   const Scene scene = GetParam().make(20, 3);
   const double size = size_of(scene), fixed = 0.01 * size;

@@ -146,8 +146,7 @@ TEST_P(StepLength, ThreadsAndInstructionSetsChangeNoBit) {
   }
 }
 
-/// The scene in a corner of a frame that is 2^exponent times as large; a triangle at rest in the opposite corner spans
-/// it.
+/// The scene in a corner of a frame that is 2^exponent times as large. A triangle at rest spans the frame.
 Scene in_a_corner(Scene scene, int exponent) {
   for (auto* points : {&scene.start, &scene.end})
     for (Point& p : *points)
@@ -158,8 +157,7 @@ Scene in_a_corner(Scene scene, int exponent) {
   return scene;
 }
 
-// Bug: in floats of a common frame, distances are as small as rounding errors, and a pair is wrongly proven to keep
-// them.
+// Bug: in floats of a common frame, distances are as small as rounding errors, and a false certificate results.
 TEST_P(StepLength, RoundingInALargeFrameChangesNoBit) {
   for (const int exponent : {8, 14, 18, 20, 22, 24, 28}) {
     const Scene scene = in_a_corner(GetParam().make(40, 83), exponent);

@@ -44,8 +44,7 @@ TEST_P(TruncateFloats, FloatsAreProvenAsTheyAreStored) {
 INSTANTIATE_TEST_SUITE_P(Scenes, TruncateFloats, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
                          scene_test_name);
 
-// Bug: planes have no slack for rounding: if the gap is a few floats wide, both features would be rounded across them,
-// and stay.
+// Bug: planes have no slack for rounding: if the gap is a few floats, both features round across them, and stay.
 TEST(Truncate, LeavesRoomForFloatsHoweverLittleThereIs) {
   int moved = 0, places = 0;
   for (const float far : {0.0F, 1.0F, 1000.0F, 8e6F})

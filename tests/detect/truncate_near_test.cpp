@@ -51,8 +51,7 @@ TEST(Truncate, LeavesRoomForRoundingHoweverLittleThereIs) {
   EXPECT_GT(moved, 50);
 }
 
-// Bug: there is no reach if the square of a length is infinite. The face slides within its plane until it meets a
-// point.
+// Bug: no reach if the square of a length is infinite. The face slides within its plane until it meets a point.
 TEST(Truncate, AVertexDoesNotPassAFaceThatIsFast) {
   for (const double away : {1e3, 1e150, 4e159, 1e300}) {
     const Mesh mesh(5, {{0, 1, 2}}, {}, {3, 4});

@@ -105,8 +105,7 @@ TEST_P(WithinLanes, SayBitForBitWhatTheFunctionsForOnePairSay) {
   }
 }
 
-// Would catch: lanes that leave most pairs of a scene to be decided one by one, with the same answers but ten times
-// slower.
+// Would catch: lanes that leave most pairs to be decided one by one, with the same answers but ten times slower.
 TEST_P(WithinLanes, DecideNearlyAllPairsOfACloth) {
   const scenes::Scene scene = scenes::scene_by_name("folded-cloth", 3000, 3);
   for (const double separation : {1e-6, 1e-3, 1e-2}) try {

@@ -163,8 +163,7 @@ void run_within(const Kernels& kernels, std::size_t kind, const PairBuffer& pair
   }
 }
 
-/// The clips of the kinds that cannot cross, and distances at rest, for pairs made from vertices of the soup in any
-/// order.
+/// The clips of the kinds that cannot cross, and distances at rest, for pairs of the soup's vertices in any order.
 void run_other_kinds(const Kernels& kernels, const Soup& soup, MotionView motion, Guard guard) {
   const auto count = static_cast<int>(soup.start.size());
   const auto pairs = std::make_unique<PairBuffer>(), empty = std::make_unique<PairBuffer>();

@@ -49,8 +49,7 @@ void place(const Items& items, std::size_t count, int axis, const Coordinate& co
   items.in_question.at[axis][longest + 1] = 1;
 }
 
-/// The expected order: features sorted stably by their place along the axis and cut at `lower`, then each part in its
-/// original order.
+/// The expected order: features sorted stably by place along the axis, cut at `lower`, each part in its old order.
 std::vector<Index> features_in_order(const Centers& centers, std::size_t count, std::size_t lower, int axis) {
   std::vector<Index> order(centers.feature, centers.feature + count);
   const float* along = centers.at[axis] - kBefore;

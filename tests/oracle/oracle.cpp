@@ -125,8 +125,7 @@ bool interior_meets_origin(const Triangle& q, Range range) {
   return holds_somewhere(dot(n01, q[2]), {positive(dot(n01, n12)), positive(dot(n12, n20))}, range);
 }
 
-/// Does the origin come within the distance of corner q, or of the side where the foot of its perpendicular lies
-/// inside?
+/// Does the origin come within the distance of corner q, or of the side's inside at the foot of the perpendicular?
 bool side_within(const Vector& q, const Vector& r, const Polynomial& squared, Range range) {
   const Vector side = r - q, n = cross(q, r);
   return holds_somewhere({}, {not_negative(squared - dot(q, q))}, range) ||

@@ -38,9 +38,8 @@ bool comes_within(PairKind kind, const Motion& motion, double separation, const 
 bool comes_within_by_algebra(PairKind kind, const Motion& motion, double separation, const Times& times = {});
 
 enum class Always { no, yes, unknown };
-/// Is the distance <= separation at all of these times? Samples single times: a distance grows no faster than the
-/// corners move, so each sample bounds the distance at the times around it. Unknown if that comes too near to the
-/// separation.
+/// Is the distance <= separation at all of these times? Samples times: a distance grows no faster than the corners
+/// move, so a sample bounds the distance at the times around it. Unknown if it comes too near to the separation.
 Always stays_within(PairKind kind, const Motion& motion, double separation, const Times& times);
 
 }  // namespace tamis::oracle

@@ -26,8 +26,7 @@ class Polynomial {
   const Integer& leading() const { return coefficients_.back(); }
 
   int sign_at(const Rational& t) const;
-  /// Signs of the coefficients in the Bernstein basis. The values on [0,1] are averages of these: other signs do not
-  /// occur.
+  /// Signs of the Bernstein coefficients. The values on [0,1] are averages of these: other signs do not occur.
   Signs signs_on_unit_interval() const;
   /// True only if the signs of the Bernstein coefficients prove it.
   bool never_vanishes_on_unit_interval() const;

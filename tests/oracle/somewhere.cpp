@@ -7,8 +7,7 @@
 namespace tamis::oracle {
 namespace {
 
-/// The sequence p, q, and then always the negated remainder of the last two, until that is zero. Drops positive
-/// factors.
+/// p, q, and then always the negated remainder of the last two, until that is zero. Drops positive factors.
 std::vector<Polynomial> signed_remainders(Polynomial p, Polynomial q) {
   std::vector<Polynomial> sequence{std::move(p)};
   while (!q.is_zero()) {

@@ -51,8 +51,7 @@ TEST(Somewhere, AsksAllConditionsOfOneAndTheSameRoot) {
   EXPECT_FALSE(holds_somewhere(p, {positive(poly({1, -2})), positive(poly({-1, 2}))}, Range::closed));
 }
 
-// Bug: a shortcut that answers other than counting does. Random polynomials, and conditions that vanish at a root, or
-// nearly.
+// Bug: a shortcut that contradicts counting. Random polynomials, and conditions that vanish at a root, or nearly.
 TEST(Somewhere, QuickWaysAgreeWithCounting) {
   std::mt19937 engine(3);
   const auto number = [&](int limit) {

@@ -21,8 +21,7 @@ struct AnyQuestion {
   bool is_by_value;
 };
 
-/// `distance`: for near pairs; a tenth of it is the separation of some questions. Scene and path must outlive the
-/// questions.
+/// `distance`: for near pairs; a tenth of it is the separation of some questions. Scene and path must outlive them.
 std::vector<AnyQuestion> questions_of(const scenes::Scene& scene, double distance);
 std::vector<AnyQuestion> questions_of(const Path& path, double separation);
 

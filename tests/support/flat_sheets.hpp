@@ -1,5 +1,4 @@
-// Two level sheets above each other. The second one is shifted a little, so that no vertex or edge lies above its
-// counterpart.
+// Two level sheets above each other, the second one shifted a little, so that no vertex or edge meets its counterpart.
 #pragma once
 #include "scenes/scene.hpp"
 #include "scenes/shapes.hpp"

@@ -16,8 +16,8 @@ struct Query {
   std::string origin;  ///< file and number, to name a failure
 };
 
-/// All queries below `folder`, in the order of file names. Throws std::runtime_error for coordinates that are no exact
-/// doubles.
+/// All queries below `folder`, in the order of file names. Throws std::runtime_error if a coordinate is no exact
+/// double.
 std::vector<Query> read_queries(const std::filesystem::path& folder);
 
 /// Number of repetitions: `in_ci`, or the environment variable `name` if it is set (long runs).

@@ -30,8 +30,7 @@ struct BodyScene {
 /// The scenes, with `pairs` pairs each; scenes of meshes have a tenth, at least one.
 std::vector<BodyScene> body_scenes(int pairs);
 
-/// The first contact, by conservative advancement in long double over all pairs of features (tests/oracle). Above 1:
-/// never.
+/// By conservative advancement in long double over all pairs of features (tests/oracle). Above 1: never.
 double true_first_contact(const MovingPair& pair);
 
 /// Returned if nothing touches, and by a contender that has no answer.
@@ -44,8 +43,7 @@ class BodyContender {
   virtual bool knows(const BodyScene& scene) const = 0;
   /// Takes a pair and builds what its shapes need once; not timed.
   virtual void take(const MovingPair& pair, bool is_convex) = 0;
-  /// The time at which the taken pair first touches. Includes handing over the motion, as a simulator does in each
-  /// step.
+  /// The time at which the taken pair first touches. The motion is handed over here, as in each step.
   virtual double first_contact() = 0;
 };
 

@@ -94,7 +94,7 @@ scenes::Shape turned_somehow(scenes::Shape shape, Random& random) {
 /// The largest turns of a step, in rad. Bullet turns bodies by no more than the first.
 constexpr double kMostOfBullet = std::numbers::pi / 4, kMost = 2.8;
 
-/// Two bodies of radius at most `radius`, apart at the start. One goes past the other or into it; each turns by up to
+/// Two bodies of radius at most `radius`, apart at the start. One goes past or into the other; each turns by up to
 /// `turn`.
 MovingPair meeting(scenes::Shape first, scenes::Shape second, double radius, double turn, Random& random) {
   const Point away = direction(random), aside = direction(random);

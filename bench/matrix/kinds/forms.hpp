@@ -29,8 +29,7 @@ struct Grid {
   bool closes_rows = false, closes_columns = false;  ///< the first row, or column, follows the last
 };
 
-/// Adds a surface with vertices at_start(u, v) and at_end(u, v): u goes from row to row, v along a row, each from 0
-/// to 1.
+/// Adds a surface with vertices at_start(u, v) and at_end(u, v), u and v in [0,1]: u across the rows, v along a row.
 template <class AtStart, class AtEnd>
 void add_surface(scenes::Scene& scene, const Grid& grid, Index group, const AtStart& at_start, const AtEnd& at_end) {
   const Index first = scene.vertex_count(), rows = grid.rows - !grid.closes_rows,

@@ -49,8 +49,7 @@ void add_stages(const Statistics& statistics, MethodResult& method) {
   }
 }
 
-/// Time of this process, which runs on one thread. On a shared machine, wall-clock time would depend on other
-/// processes.
+/// Time of this process, which runs on one thread. Wall-clock time would depend on other users of the machine.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 std::vector<Options> options_of(const std::vector<std::string>& names) {

@@ -35,7 +35,6 @@ class FrameRuns {
 
  private:
   void read_up_to(std::size_t frames);
-  std::size_t frames_a_run() const;
 
   FrameSource& source_;
   Shares shares_;

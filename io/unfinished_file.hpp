@@ -1,4 +1,4 @@
-// Files under temporary names, which must not outlive the process, whatever signal ends it.
+// Files under temporary names, which must not outlive the process, on the signals that can be caught.
 #pragma once
 #include <sys/types.h>
 

@@ -33,9 +33,6 @@ class PairCounter {
   void add_ee(std::size_t a, std::size_t b, Batch& batch) const;
   void commit(PairKind kind, const Batch& batch);
 
-  std::uint64_t vf() const { return vf_; }
-  std::uint64_t ee() const { return ee_; }
-  std::uint64_t sum() const { return sum_; }
   /// The answer of a broad phase: does it hold exactly the swept boxes that meet?
   Answer answer(const Task& task) const;
 

@@ -13,7 +13,7 @@ struct Cost {
   double median, mean;
 };
 
-/// Milliseconds: of one thread processor time, of more the wall clock. The first steps warm up. `ask(step)` is timed,
+/// Milliseconds: of one thread processor time, of more the wall clock. The first steps warm up. `ask()` is timed,
 /// `move(step)` is not.
 Cost milliseconds(int steps, const std::function<void(int)>& move, const std::function<void()>& ask);
 

@@ -1,4 +1,4 @@
-// tamis scene: simulates one of the laboratory's scenes into a folder of frames.
+// tamis scene: simulates one of the simulated scenes into a folder of frames.
 #include <fmt/format.h>
 
 #include <memory>

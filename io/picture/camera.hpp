@@ -8,7 +8,7 @@
 
 namespace tamis::io {
 
-/// y is up, unless one looks along it: then z is.
+/// y is up, unless one looks along it: then -z is.
 class Camera {
  public:
   /// Looks from the direction `from`, and stands as near as all points stay within the picture. `aspect`: the picture's

@@ -3,7 +3,8 @@
 // differences have one strict sign at t=0 and at t=1, the features are apart during the whole step. Axes: the pair's
 // normal e x f, and its cross products with the edges, at t=0 and at t=1. Any axis is sound, however it is rounded.
 // We deviate: their axes may also be polynomials of time; DNF (the normal) and NCF (edge x normal) are those tests.
-// Error bound: error_bounds::kProjection times the axis' largest component. Cost: 8 (VF) or 6 (EE) axes of about 50.
+// Error bound: error_bounds::kAxisProjection times the axis' largest component. Cost: 8 (VF) or 6 (EE) axes of
+// about 50.
 #pragma once
 #include "filters/filter.hpp"
 #include "motion/difference_corners.hpp"

@@ -21,7 +21,7 @@ Shape lattice_sphere(Index cells) {
   return sphere;
 }
 
-/// How the sphere at lattice position (i,j,k) moves in its row: towards its neighbour, the other way round, or not.
+/// How a sphere moves in its row: towards its neighbour, the other way round, or not.
 Point sphere_motion(Index variant, bool is_even, Random& random) {
   const double towards = is_even ? 1 : -1;
   switch (variant) {

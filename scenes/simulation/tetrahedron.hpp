@@ -23,7 +23,6 @@ class Tetrahedron {
   void reset() { shear_multiplier_ = volume_multiplier_ = 0; }
   void project(Particles& particles, double dt);
 
-  const std::array<Index, 4>& vertices() const { return vertices_; }
   double rest_volume() const { return rest_volume_; }
 
  private:

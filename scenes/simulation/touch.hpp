@@ -14,7 +14,7 @@ struct Touch {
   double gap;               ///< to be kept along the normal at the end of the step, metres
 };
 
-/// `radii`: the gap wanted, metres. Features closer than that are moved apart little by little, so that the
+/// `thickness`: the gap wanted, metres. Features closer than that are moved apart little by little, so that the
 /// push adds no speed worth mentioning. REQUIRES: vertex and face, or two edges.
 Touch make_touch(const Contact& contact, const Points& start, double thickness);
 

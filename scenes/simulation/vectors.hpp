@@ -10,8 +10,6 @@ namespace tamis::simulation {
 using Vec = Eigen::Vector3d;
 using Points = Eigen::Matrix3Xd;
 
-inline Positions view(const Points& points) { return {points.data(), static_cast<Index>(points.cols())}; }
-
 inline Points as_points(const std::vector<Vec>& list) {
   Points points(3, static_cast<Eigen::Index>(list.size()));
   for (std::size_t i = 0; i < list.size(); ++i) points.col(static_cast<Eigen::Index>(i)) = list[i];

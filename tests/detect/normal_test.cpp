@@ -16,7 +16,7 @@ namespace {
 
 using scenes::Scene;
 
-/// An edge of the given length falls on another, crosswise, from height 1 to -1.
+/// An edge of twice the given length falls on another, crosswise, from height 1 to -1.
 Scene crossing_edges(double length) {
   Scene scene;
   const auto add = [&](const Point& from, double fall) {

@@ -117,7 +117,7 @@ std::string missing(const PairSet& a, const PairSet& b) {
   std::ostringstream out;
   out << difference.size() << " pairs:";
   for (std::size_t i = 0; i < std::min<std::size_t>(difference.size(), 5); ++i) {
-    out << (difference[i].kind == PairKind::vertex_face ? " vf" : " ee");
+    out << ' ' << name_of(difference[i].kind);
     for (Index v : difference[i].vertices) out << ' ' << v;
     out << ';';
   }

@@ -1,4 +1,4 @@
-// One question at a time: a second one is refused at once, in place of two that spoil each other's answer.
+// One question at a time: a second one is refused at once, before the two can spoil each other's answers.
 #pragma once
 #include <atomic>
 
@@ -6,10 +6,12 @@
 
 namespace tamis {
 
-/// Held by whoever asks. Detectors have one; so may what a caller keeps beside a detector.
+/// Held while a question is answered. Each detector and each world has one; so may any data that a caller keeps beside
+/// them.
 class BusyGuard {
  public:
-  /// Throws Busy if somebody holds it: another thread, or this one, in a function that it calls.
+  /// Throws Busy if it is held already: by another thread, or by this thread, which calls from within a question (a
+  /// filter, a path).
   explicit BusyGuard(std::atomic_flag& is_taken) : is_taken_(is_taken) {
     if (is_taken_.test_and_set(std::memory_order_acquire)) throw Busy();
   }

@@ -1,4 +1,4 @@
-// What the edges of a mesh connect: its objects, and the neighbours of each vertex.
+// The connected components of a mesh (its objects), and the neighbours of each vertex.
 #pragma once
 #include <vector>
 
@@ -6,19 +6,21 @@
 
 namespace tamis {
 
-/// Connected components, as groups for PairFilter::group_of_vertex or for a radius each.
+/// Connected components, numbered as PairFilter::group_of_vertex numbers groups: to leave out pairs, or to give each
+/// component a radius.
 struct Components {
-  /// One number a vertex of the mesh, in [0, count): components in the order of their first vertices. -1 for a vertex
-  /// that takes no part in contacts (Mesh::points).
+  /// For each vertex of the mesh the number of its component, in [0, count): components are in the order of their first
+  /// vertices. -1 for a vertex that takes no part in contacts (it is not in Mesh::points).
   std::vector<Index> of_vertex;
   Index count = 0;
 };
 
-/// By faces and edges; a loose point is a component of its own. Time: nearly linear (union-find: Tarjan 1975).
+/// Faces and edges connect their vertices; a loose point is a component of its own. Time: nearly linear (union-find:
+/// Tarjan 1975).
 Components components_of(const Mesh& mesh);
 
-/// For each vertex those at the other end of an edge. Throws InvalidMesh if there are more than 2^30 - 1 edges. Time:
-/// linear.
+/// One row a vertex: the vertices to which an edge joins it. Throws InvalidMesh if there are more than 2^30 - 1 edges.
+/// Time: linear.
 IndexRows neighbours_of(const Mesh& mesh);
 
 }  // namespace tamis

@@ -15,96 +15,105 @@
 
 namespace tamis {
 
-/// Holds a mesh and the hierarchy over it. The first question builds the hierarchy; later ones refit it, and
-/// rebuild it by themselves once refitting has made it poor. Pairs are of two features (PairKind) without
-/// a common vertex. The answers do not depend on the number of threads, on the instruction set, or on earlier
-/// questions. One question at a time: a second one meanwhile, of another thread or of a function that the question
-/// calls (a filter, a path), throws Busy at once. Such functions may ask other detectors, and use oneTBB.
-/// Lists stay in the detector until the next such question; of a detector that nobody keeps, as in
-/// `for (const Contact& c : Detector(mesh).contacts(step))`, the caller gets them.
+/// Holds a mesh and the hierarchy over it: keep it from step to step. The first question builds the hierarchy; later
+/// questions refit it, and rebuild it once refitting has made it poor. Pairs are of two features (PairKind) without a
+/// common vertex. The answers do not depend on the number of threads, on the instruction set, or on earlier questions.
+///
+/// One question at a time: a second one, from another thread or from a function that the question calls (a filter, a
+/// path), throws Busy at once. Such functions may ask other detectors, and use oneTBB.
+///
+/// The detector keeps the list of an answer until the next such question. A temporary detector, as in `for (const
+/// Contact& c : Detector(mesh).contacts(step))`, hands the list to the caller.
 class Detector {
  public:
-  /// Throws InvalidOptions: negative threads, a separation or radius that is negative or not finite, an instruction
-  /// set this machine lacks, groups or radii that do not fit.
+  /// Throws InvalidOptions: threads < 0; a separation or radius that is negative or not finite; an instruction set that
+  /// this machine lacks; groups or radii that do not fit the mesh or each other.
   explicit Detector(Mesh mesh, Options options = {});
   ~Detector();
-  /// A detector that was moved from may be destroyed or assigned to; all else throws Error. Must not be moved, assigned
-  /// to or destroyed by another thread while it answers.
+  /// A detector that was moved from may be destroyed or assigned to; every other call throws Error. No thread may move,
+  /// assign to or destroy a detector while it answers another thread.
   Detector(Detector&&) noexcept;
   Detector& operator=(Detector&&) noexcept;
 
-  /// All contacts of the step, by kind, then vertices. The vector is valid until the next question. What a question may
-  /// bring of its own is in QueryOptions: InvalidOptions unless its separation is finite and >= 0, and where it has a
-  /// tolerance. Every question throws InvalidStep unless start and end have one row of three numbers for each vertex of
-  /// the mesh, finite for those in mesh().points(); and with AtStart::fail if a pair touches at t=0.
+  /// All contacts of the step, sorted by kind, then vertices. The vector is valid until the next question. QueryOptions
+  /// hold what this question has of its own: throws InvalidOptions unless its separation is finite and >= 0, and if it
+  /// has a tolerance (a path's). Every question throws InvalidStep unless start and end have one row of three numbers
+  /// for each vertex of the mesh, finite for the vertices in mesh().points(); with AtStart::fail also if a pair touches
+  /// at t=0.
   const std::vector<Contact>& contacts(const Step& step, const QueryOptions& = {}) &;
   std::vector<Contact> contacts(const Step& step, const QueryOptions& asked = {}) && { return contacts(step, asked); }
-  /// The same contacts in the caller's own vector, not copied: its memory and the detector's change places.
+  /// Puts the same contacts into the caller's vector, without a copy: swaps its memory with the detector's.
   void contacts(const Step& step, std::vector<Contact>& result, const QueryOptions& = {});
-  /// The first contact: how far the step may go; `truncate` says to which positions. Its bracket may differ from that
-  /// of contacts() in the last digits: both are proven.
+  /// The first contact: how far the step may go (`truncate` returns the positions to go to). Its bracket may differ
+  /// from that of contacts() in the last digits: both are proven.
   EarliestContact earliest(const Step& step, const QueryOptions& = {});
   /// Is the whole step free of contacts?
   bool is_free(const Step& step, const QueryOptions& = {});
-  /// The same three questions of curves, with the path's own certificates (tamis/path.hpp): pieces of the path are
-  /// asked with straight chords, pairs that these leave are decided on their curves until they are proven free or their
-  /// bracket is no wider than QueryOptions::tolerance. Times are the path's. All of a piece's
-  /// pairs that come nearer than their deviations are held at a time. Throw InvalidPath where the path does not fit the
-  /// mesh or breaks its promises, InvalidOptions. With AtStart::ignore a pair that may touch at t=0 counts from the
-  /// first of some times on at which it is proven apart (docs/numerics.md, "Curved motion").
+  /// The same three questions about motion on curves, with the bounds that the path promises (tamis/path.hpp). The path
+  /// is cut into pieces; each piece is asked about with straight chords. Pairs that chords do not prove free are
+  /// decided on their curves, until they are proven free or their bracket is no wider than QueryOptions::tolerance.
+  /// Times are the path's. Memory holds, of one piece at a time, all pairs that come nearer than their deviations.
+  /// Throws InvalidPath if the path does not fit the mesh or breaks its promises, and InvalidOptions. With
+  /// AtStart::ignore a pair that may touch at t=0 counts from the first of some times on at which it is proven apart
+  /// (docs/numerics.md, "Curved motion").
   const std::vector<Contact>& contacts(const Path& path, const QueryOptions& = {}) &;
   std::vector<Contact> contacts(const Path& path, const QueryOptions& asked = {}) && { return contacts(path, asked); }
   EarliestContact earliest(const Path& path, const QueryOptions& = {});
   bool is_free(const Path& path, const QueryOptions& = {});
-  /// How far may the step go so that the distance of every pair, as far as it exceeds the minimum separation and both
-  /// radii, stays at least `keep` of what it is at t=0? The step length for the line search of a barrier method. 0:
-  /// only contacts count, and `lower` is earliest()'s toi_lower. Larger values take longer where motion is fast.
-  /// Which: 0.1 for a barrier's line search, where the next steps need room; 0.01 and less where a step should come
-  /// near what it meets, as towards a first contact; 0.5 and more where distances may shrink slowly only. A pair that
-  /// is ignored at the start (AtStart) has nothing to keep: it ends the step where it touches again. What is proven is
-  /// said of the straight motion: positions at a time up to `lower` are rounded to doubles, and pairs that are a few
-  /// units in the last place apart there may touch. Ask `is_free` of the step to the rounded positions, or `truncate`,
-  /// whose positions are proven as they are stored. Throws InvalidOptions unless 0 <= keep < 1.
+  /// How far may the step go so that every pair keeps at least the fraction `keep` of its distance at t=0? The distance
+  /// that counts is what exceeds the minimum separation and both radii. This is the step length for the line search of
+  /// a barrier method. With 0 only contacts count, and `lower` is earliest()'s toi_lower. Larger values take longer
+  /// where motion is fast. Take 0.1 for a barrier's line search, whose next steps need space; 0.01 or less if a step
+  /// should come near what it meets, as towards a first contact; 0.5 or more if distances may only shrink slowly. A
+  /// pair that is ignored at the start (AtStart) has no distance to keep: it ends the step where it touches again.
+  ///
+  /// The proof is about the straight motion. Positions at a time up to `lower` are rounded to doubles, and pairs that
+  /// are a few units in the last place apart there may touch: ask `is_free` of the step to the rounded positions, or
+  /// `truncate`, whose positions are proven as they are stored. Throws InvalidOptions unless 0 <= keep < 1.
   SafeStep safe_step(const Step& step, double keep = 0.1, const QueryOptions& = {});
 
-  /// Every pair of features whose distance at rest is at most `distance` plus both radii (Options::radii), each
-  /// once, by kind, then vertices: what a barrier or penalty method starts from. Some that are farther apart by less
-  /// than NearPair::distance may be off can be among them. The vector is valid until the next such question. Throws
-  /// InvalidOptions unless `distance` is finite and >= 0, InvalidStep as above.
+  /// Every pair of features whose distance is at most `distance` plus both radii (Options::radii), each once, sorted by
+  /// kind, then vertices: what a barrier or penalty method starts from. The list may hold some pairs that are farther
+  /// apart, by less than the error of NearPair::distance. The vector is valid until the next such question. Throws
+  /// InvalidOptions unless `distance` is finite and >= 0, InvalidStep unless the positions are as `contacts` requires.
   const std::vector<NearPair>& pairs_within(const Positions& positions, double distance) &;
   std::vector<NearPair> pairs_within(const Positions& at, double distance) && { return pairs_within(at, distance); }
 
-  /// Every edge that passes through a triangle or touches it, without a common vertex, by edge, then face: is this a
-  /// pose to start from, and if not, why? Decided exactly. Radii do not matter; of the filter groups (an edge has that
-  /// of its first vertex) and rings count, `accepts` does not. The vector is valid until the next such question.
-  /// Without faces there is nothing to find: of curves in the plane that cross each other ask `contacts({x, x})`, which
-  /// lists every pair that touches at x.
+  /// Every edge that passes through a triangle or touches it and shares no vertex with it, sorted by edge, then face:
+  /// is this a pose to start from, and if not, why? Decided exactly. Radii do not count. Of the filter, groups (an edge
+  /// has the group of its first vertex) and rings count; `accepts` does not. The vector is valid until the next such
+  /// question. A mesh without faces has no intersections: for curves in the plane that cross each other ask
+  /// `contacts({x, x})`, which lists every pair that touches at x.
   const std::vector<Intersection>& intersections(const Positions& positions) &;
   std::vector<Intersection> intersections(const Positions& positions) && { return intersections(positions); }
-  /// Is there any? Ends at the first. Of curves in the plane ask `is_free({x, x})`, as above.
+  /// Is there any intersection? Ends at the first one. For curves in the plane ask `is_free({x, x})`.
   bool has_intersection(const Positions& positions);
 
-  /// Positions to go to, as doubles, so that every pair keeps `keep` of its distance, and one near pair does not
-  /// stop all: all vertices go together as far as every pair keeps a little more than that, from there each on its own
-  /// side of planes between the features that it could reach, by a quarter of the mean edge at most (of its body's,
-  /// where the finest part has edges a fourth as long or shorter), so as to bound the number of such pairs. What starts
-  /// within the minimum separation may move as long as it comes no nearer (at a distance of 0 not at all, not even
-  /// apart), and all others go that quarter at most. What is ignored at the start (AtStart) may move as it likes, but
-  /// not apart and back. A caller who keeps floats says so by `stored`: then all positions are floats' values, so that
-  /// storing them changes nothing, and what is proven holds of what is stored. Throws InvalidOptions unless 0 < keep <
-  /// 1, InvalidStep where floats are stored and `start` is not made of them, or `end` is beyond all of them.
+  /// Positions to go to, as doubles, so that every pair keeps `keep` of its distance, and one near pair does not stop
+  /// the whole mesh. All vertices go together as long as every pair keeps a little more than `keep`. From there each
+  /// vertex goes on by itself, on its own side of planes between the features that it could reach; by at most a quarter
+  /// of the mean edge, which bounds the number of such pairs. (If the finest part of the mesh has edges less than a
+  /// fourth as long, the mean edge of the vertex' own body counts.)
+  ///
+  /// A pair that starts within the minimum separation may move as long as it comes no nearer (at a distance of 0 not at
+  /// all, not even apart); all other vertices then go that quarter at most. A pair that is ignored at the start
+  /// (AtStart) may move freely, but not apart and back.
+  ///
+  /// A caller who keeps floats says so by `stored`: then all positions are values of floats, storing them as floats
+  /// changes nothing, and the proof holds for what is stored. Throws InvalidOptions unless 0 < keep < 1; with floats
+  /// InvalidStep unless `start` consists of values of floats and `end` is within their range.
   TruncatedStep truncate(const Step& step, double keep = 0.1, const QueryOptions& = {},
                          Stored stored = Stored::float64);
 
   const Mesh& mesh() const;
   const Options& options() const;
-  /// Of the last question. Throws Busy during one.
+  /// The cost of the last question. Throws Busy while a question is answered.
   const Statistics& statistics() const;
 
  private:
   struct State;
   class LockedState;
-  friend class DetectorAccess;  ///< within the library: of another engine
+  friend class DetectorAccess;  ///< makes detectors of other engines, within the library
   explicit Detector(std::unique_ptr<State> state);
   State& state() const;
 

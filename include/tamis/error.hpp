@@ -1,4 +1,4 @@
-// What the library throws. Every message says what is wrong, where, and what to do.
+// The library's exceptions. Every message says what is wrong, where, and what to do.
 #pragma once
 #include <stdexcept>
 
@@ -30,12 +30,13 @@ struct InvalidOptions : Error {
   using Error::Error;
 };
 
-/// A question that Options::is_cancelled ended. The detector may be asked again.
+/// Options::is_cancelled ended the question. The detector may be asked again.
 struct Cancelled : Error {
   using Error::Error;
 };
 
-/// A question to a detector that is answering another one: of another thread, or of the filter's or path's own caller.
+/// A question to a detector or world that is still answering another one: asked by another thread, or by a filter or
+/// path that the first question calls.
 struct Busy : Error {
   using Error::Error;
   Busy() : Error("another question is being answered: give each thread a detector, or a world, of its own") {}

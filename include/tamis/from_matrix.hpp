@@ -1,5 +1,5 @@
-// Topology and positions copied from other people's memory: raw pointers, matrices of either layout (Eigen's, or
-// whatever has rows(), cols() and an element (row, column)), and vectors of points of any number type.
+// Copies topology and positions from the caller's own layout: raw pointers, matrices stored by rows or by columns
+// (Eigen's, or any type with rows(), cols() and an element (row, column)), and vectors of points of any number type.
 #pragma once
 #include <concepts>
 #include <cstddef>
@@ -20,7 +20,7 @@ concept AnyMatrix = requires(const M& m, std::ptrdiff_t i) {
   { m.cols() } -> std::convertible_to<std::ptrdiff_t>;
   m(i, i);
 };
-/// Of integers of any size.
+/// A matrix of integers of any size.
 template <class M>
 concept IndexMatrix = AnyMatrix<M> && requires(const M& m, std::ptrdiff_t i) {
   requires std::integral<std::remove_cvref_t<decltype(m(i, i))>>;
@@ -36,7 +36,7 @@ void require_columns(const M& matrix, std::ptrdiff_t columns, const char* what) 
                 " for each (of a matrix with a column for each its transpose())");
 }
 
-/// One row a feature. An index that is none of an Index becomes -1, which Mesh refuses with its name.
+/// One row a feature. An index that does not fit into Index becomes -1, which Mesh refuses, naming the feature.
 template <class Feature, IndexMatrix M>
 std::vector<Feature> rows_of(const M& matrix, const char* what) {
   std::vector<Feature> rows(static_cast<std::size_t>(matrix.rows()));
@@ -49,7 +49,7 @@ std::vector<Feature> rows_of(const M& matrix, const char* what) {
   return rows;
 }
 
-/// `stride`: from one feature's first index to the next one's.
+/// `stride`: number of indices from one feature's first to the next feature's first.
 template <class Feature>
 std::vector<Feature> rows_of(const Index* indices, std::size_t count, std::ptrdiff_t stride) {
   std::vector<Feature> rows(count);
@@ -61,18 +61,19 @@ std::vector<Feature> rows_of(const Index* indices, std::size_t count, std::ptrdi
 
 }  // namespace from_matrix
 
-/// For Mesh: n x 3 indices. Throws InvalidMesh on another number of columns; what the indices are is for Mesh to judge.
+/// The faces of a mesh from n x 3 indices. Throws InvalidMesh if the matrix has another number of columns; Mesh checks
+/// the indices.
 template <IndexMatrix M>
 std::vector<Face> faces_of(const M& matrix) {
   return from_matrix::rows_of<Face>(matrix, "faces");
 }
-/// n x 2 indices.
+/// The loose edges of a mesh from n x 2 indices; otherwise the same.
 template <IndexMatrix M>
 std::vector<Edge> edges_of(const M& matrix) {
   return from_matrix::rows_of<Edge>(matrix, "edges");
 }
 
-/// `count` triples of indices, `stride` apart.
+/// `count` triples (for edges pairs) of indices; `stride`: number of indices from one's first to the next one's first.
 inline std::vector<Face> faces_of(const Index* indices, std::size_t count, std::ptrdiff_t stride = 3) {
   return from_matrix::rows_of<Face>(indices, count, stride);
 }
@@ -80,7 +81,8 @@ inline std::vector<Edge> edges_of(const Index* indices, std::size_t count, std::
   return from_matrix::rows_of<Edge>(indices, count, stride);
 }
 
-/// A copy, for positions that stand column by column: n x 3. Throws InvalidStep on another number of columns.
+/// A copy of an n x 3 matrix of positions, in any layout. Throws InvalidStep if the matrix has another number of
+/// columns.
 template <AnyMatrix M>
 std::vector<Point> points_of(const M& matrix) {
   from_matrix::require_columns<InvalidStep>(matrix, 3, "positions");
@@ -91,7 +93,7 @@ std::vector<Point> points_of(const M& matrix) {
   }
   return points;
 }
-/// The same of points such as Eigen::Vector3f or std::array<float, 3>, one an element.
+/// A copy of a range of points, such as Eigen::Vector3f or std::array<float, 3>.
 template <ContiguousRange R>
 std::vector<Point> points_of(const R& points) {
   std::vector<Point> copies;

@@ -1,4 +1,4 @@
-// Everything a caller may choose, each with its default.
+// Options of a detector and of one question, each with its default.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -13,73 +13,78 @@ namespace tamis {
 /// Instruction set of the hot loops; every one gives the same bits. `best`: the widest that this machine has.
 enum class Isa : std::uint8_t { best, baseline, avx2, avx512 };
 
-/// What becomes of pairs that touch at t=0: whose distance there is at most the minimum separation plus both radii.
-/// Which they are is decided exactly.
+/// How a question counts pairs that touch at t=0: pairs whose distance there is at most the minimum separation plus
+/// both radii. Decided exactly for steps.
 enum class AtStart : std::uint8_t {
   report,  ///< they are contacts at t=0, and no step may go at all
-  /// They count once they have come apart: such a pair is a contact when it touches again after a time at which it does
-  /// not. One that never comes apart, or never comes back, is none (Statistics::ignored).
+  /// A pair that touches at t=0 is a contact only when it touches again, after a time at which it does not touch. A
+  /// pair that never comes apart, or never touches again, is no contact (see Statistics::ignored).
   ignore,
-  fail,  ///< InvalidStep, which names the first of them
+  fail,  ///< throws InvalidStep, which names the first such pair
 };
 
-/// Names as on the command line, and back. Throw InvalidOptions, naming the choices, if there is no such name.
+/// From names to values and back; names as on the command line. Throw InvalidOptions, which lists the choices, if there
+/// is no such name.
 Isa isa_from_name(std::string_view name);
 AtStart at_start_from_name(std::string_view name);
 std::string_view name_of(Isa);
 std::string_view name_of(AtStart);
-/// What name_of says of a number that is none of the enumeration's.
+/// name_of returns this for a value outside the enumeration.
 inline constexpr std::string_view kUnnamed = "unknown";
 
-/// Which pairs of objects may touch. Vertices carry a group; a feature belongs to the group of its first vertex. Sizes
-/// that do not fit the mesh, or each other, make the detector throw InvalidOptions.
+/// Which pairs may touch. Each vertex has a group; a feature has the group of its first vertex. The detector throws
+/// InvalidOptions if sizes do not fit the mesh or each other.
 struct PairFilter {
-  /// Group of each vertex, in [0, group_count), or -1 where it takes no part in contacts (Mesh::points); empty: all in
-  /// group 0, the only one, and groups_may_touch is empty too. components_of numbers connected objects so.
+  /// The group of each vertex, in [0, group_count), or -1 for a vertex that takes no part in contacts (it is not in
+  /// Mesh::points). Empty: all vertices are in group 0, group_count is 1 and groups_may_touch is empty, too.
+  /// components_of numbers connected objects in this way.
   std::vector<Index> group_of_vertex;
   Index group_count = 1;
-  /// group_count x group_count, symmetric, row-major; 0 leaves the pair of groups out. Empty: all are tested.
+  /// group_count x group_count, symmetric, row-major; 0 leaves out the pairs of these two groups. Empty: none are left
+  /// out.
   std::vector<std::uint8_t> groups_may_touch = std::vector<std::uint8_t>();
-  /// Asked last, for every pair still there; must be safe to call from several threads. Vertices as in Contact.
+  /// Asked for each pair that nothing else has left out; false leaves the pair out. Must be safe to call from several
+  /// threads. Vertices as in Contact.
   std::function<bool(PairKind, const std::array<Index, 4>&)> accepts = nullptr;
-  /// >= 1: pairs are left out whose features are fewer edges apart than this, along the mesh: on the shortest way from
-  /// a vertex of the one to a vertex of the other. 1, which costs nothing: those with a common vertex, as always. 2:
-  /// also those that an edge connects, and so on. Asked, after `accepts`, of pairs alone that would be in the answer.
+  /// Leaves out pairs whose features are fewer than `rings` edges apart, on the shortest way along the mesh from a
+  /// vertex of one to a vertex of the other; >= 1. 1 costs nothing: it leaves out pairs with a common vertex, which
+  /// never count. 2 also leaves out features that an edge connects, and so on. Tested after `accepts`, only for pairs
+  /// that would be in the answer.
   int rings = 1;
-  /// Pairs within one group are left out (no self-contact). One group a vertex, as above; memory goes by the square of
-  /// their number. Throws InvalidOptions on a group of 2^31 - 1.
+  /// Leaves out pairs within one group (no self-contact). `group_of_vertex`: as above; memory grows with the square of
+  /// the number of groups. Throws InvalidOptions if a group is 2^31 - 1.
   static PairFilter no_self_contact(std::vector<Index> group_of_vertex);
-  /// Pairs of two static groups, or within one, are left out. `is_static`: one flag a group.
+  /// Leaves out pairs of two static groups, and pairs within a static group. `is_static`: one flag a group.
   static PairFilter no_static_pairs(std::vector<Index> group_of_vertex, const std::vector<bool>& is_static);
 };
 
-/// Every member has a default, so that {.threads = 1} names all there is to say, without a warning.
+/// What a detector is made with. Every member has an initializer, so that {.threads = 1} compiles without a warning.
 struct Options {
-  /// Threads to use, >= 0, but no more than oneTBB allows the process (its global_control, by default one a core); 0:
-  /// as many as the caller's oneTBB arena gives. The answer does not depend on it; Statistics say how many there were.
+  /// Threads to use, >= 0; 0: as many as the caller's oneTBB arena has. No more than oneTBB allows the process (its
+  /// global_control; by default one a core). The answer does not depend on it; Statistics::threads is the number used.
   int threads = 0;
   /// d >= 0, in the unit of the positions: contact means Euclidean distance <= d at some time.
   double min_separation = 0;
-  /// A radius >= 0 for each group of filter.group_of_vertex, half of its thickness. Two features are in
-  /// contact when their distance is at most `min_separation` plus both radii, for every question but intersections. A
-  /// feature that joins groups has the largest radius of its vertices. Empty: all zero. A question throws
-  /// InvalidOptions where its separation and twice a radius are more than any double.
+  /// A radius >= 0 for each group of filter.group_of_vertex: half of its thickness. Two features are in contact when
+  /// their distance is at most `min_separation` plus both radii, for every question but intersections. A feature whose
+  /// vertices have different groups has the largest radius of its vertices. Empty: all zero. A question throws
+  /// InvalidOptions if its separation plus twice a radius is more than any double.
   std::vector<double> radii = {};
   Isa isa = Isa::best;
   PairFilter filter = PairFilter();
   /// Asked again and again during a question, a thousand times a second or more; must be safe to call from several
-  /// threads. Once it says true the question throws Cancelled; the detector answers the next one as if nothing was.
+  /// threads. Once it returns true, the question throws Cancelled; the detector answers the next question as usual.
   std::function<bool()> is_cancelled = nullptr;
 };
 
-/// What a question may bring of its own: detector.contacts(step, {.min_separation = 1e-3}).
+/// Options of one question: detector.contacts(step, {.min_separation = 1e-3}).
 struct QueryOptions {
-  /// In place of Options::min_separation, for this question alone (an activation distance, say); the hierarchy serves
-  /// all.
+  /// In place of Options::min_separation, for this question alone (an activation distance, for example). One hierarchy
+  /// serves all separations.
   std::optional<double> min_separation = {};
-  /// On curves a pair that cannot be told from one that touches at t=0 is taken for one.
+  /// On a path, a pair counts as touching at t=0 if it cannot be proven apart there.
   AtStart at_start = AtStart::report;
-  /// Of paths: the widest bracket of a contact, a fraction of the step in (0, 1]. None: 1e-9.
+  /// Only for paths: the widest bracket of a contact, a fraction of the step in (0, 1]. None: 1e-9.
   std::optional<double> tolerance = {};
 };
 

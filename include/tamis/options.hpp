@@ -43,8 +43,8 @@ struct PairFilter {
   /// group_count x group_count, symmetric, row-major; 0 leaves out the pairs of these two groups. Empty: none are left
   /// out.
   std::vector<std::uint8_t> groups_may_touch = std::vector<std::uint8_t>();
-  /// Asked for each pair that nothing else has left out; false leaves the pair out. Must be safe to call from several
-  /// threads. Vertices as in Contact.
+  /// Asked, after the groups, for each pair that may still be in the answer; false leaves the pair out. Must be safe to
+  /// call from several threads. Vertices as in Contact.
   std::function<bool(PairKind, const std::array<Index, 4>&)> accepts = nullptr;
   /// Leaves out pairs whose features are fewer than `rings` edges apart, on the shortest way along the mesh from a
   /// vertex of one to a vertex of the other; >= 1. 1 costs nothing: it leaves out pairs with a common vertex, which
@@ -60,7 +60,7 @@ struct PairFilter {
 
 /// What a detector is made with. Every member has an initializer, so that {.threads = 1} compiles without a warning.
 struct Options {
-  /// Threads to use, >= 0; 0: as many as the caller's oneTBB arena has. No more than oneTBB allows the process (its
+  /// Threads to use, >= 0; 0: as many as the caller's oneTBB arena gives. No more than oneTBB allows the process (its
   /// global_control; by default one a core). The answer does not depend on it; Statistics::threads is the number used.
   int threads = 0;
   /// d >= 0, in the unit of the positions: contact means Euclidean distance <= d at some time.

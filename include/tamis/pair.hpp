@@ -30,7 +30,7 @@ struct PairOptions {
   /// other pairs do not depend on it.
   double latest = 1;
   double tolerance = 1e-9;  ///< for a path: the widest bracket of a contact, a fraction of the step in (0, 1]
-  int threads = 0;          ///< for a list, as in Options; 0: as many as the caller's oneTBB arena has
+  int threads = 0;          ///< for a list, as in Options; 0: as many as the caller's oneTBB arena gives
   Isa isa = Isa::best;      ///< for a list; changes speed only
   /// For a list or a path, as in Options: asked again and again; once it returns true, the call throws Cancelled.
   std::function<bool()> is_cancelled = nullptr;

@@ -1,4 +1,4 @@
-// Where every vertex is: a view of the caller's own memory.
+// Positions of all vertices: a view of the caller's own memory.
 #pragma once
 #include <array>
 #include <concepts>
@@ -42,7 +42,7 @@ concept OwningMatrix = DenseMatrix<M> && requires {
   requires std::same_as<M, typename M::PlainObject>;
 };
 
-/// Three by its type: an array, or one of Eigen's fixed vectors.
+/// A type that says itself that it has three elements: an array, or one of Eigen's fixed vectors.
 template <class V>
 concept CountsThree = std::extent_v<V>
 == 3 || requires { requires std::tuple_size<V>::value == 3; }
@@ -64,7 +64,7 @@ concept DoublesXyz = std::is_standard_layout_v<V> && requires(const V& v) {
 template <class V>
 concept ThreeDoubles = sizeof(V) == 3 * sizeof(double) && (IndexedDoubles<V> || DoublesXyz<V>);
 
-/// What stands in memory one behind the other, as in a std::vector, std::array or std::span.
+/// Elements one behind the other in memory, as in a std::vector, std::array or std::span.
 template <class R>
 concept ContiguousRange = !MatrixLike<R> && requires(const R& r) {
   std::span(r);
@@ -87,7 +87,7 @@ class Positions {
   template <PointRange R>
   Positions(const R& points)
       : Positions(reinterpret_cast<const double*>(std::span(points).data()), index_count(std::span(points).size())) {}
-  /// Other than three columns next to each other: no data, which every question refuses.
+  /// Unless the matrix has three columns next to each other, the view has no data, and every question refuses it.
   template <RowMajorMatrix M>
   Positions(const M& matrix)
       : Positions(matrix.cols() == 3 && matrix.innerStride() == 1 ? matrix.data() : nullptr,
@@ -99,7 +99,7 @@ class Positions {
                   index_count(static_cast<std::size_t>(matrix.cols())),
                   static_cast<std::ptrdiff_t>(matrix.outerStride())) {}
 
-  // Compilers show the line that they stop at; each says what to do.
+  // Compilers show the line of the deleted constructor: its comment says what to do.
   template <OwningRange R>
   Positions(const R&&) = delete;  // A temporary may be gone when the question is asked: keep it in a variable.
   template <OwningMatrix M>
@@ -123,7 +123,7 @@ class Positions {
   std::ptrdiff_t stride() const { return stride_; }
 
  private:
-  /// -1, which no mesh has and every question refuses, for more than an Index counts.
+  /// The count, or -1 if it does not fit into Index: no mesh has -1 vertices, and every question refuses it.
   static constexpr Index index_count(std::size_t count) {
     return count <= static_cast<std::size_t>(std::numeric_limits<Index>::max()) ? static_cast<Index>(count) : -1;
   }

@@ -1,4 +1,4 @@
-// What is said of a mesh at rest: which features are near each other, and which pass through each other.
+// Answers about a mesh in one pose: which features are near each other, and which edges pass through triangles.
 #pragma once
 #include <array>
 
@@ -10,25 +10,25 @@ namespace tamis {
 struct NearPair {
   PairKind kind;
   std::array<Index, 4> vertices;  ///< as in Contact
-  /// Between the closed features, in the unit of the positions; off by at most 2^-41 of the largest |component| of the
-  /// differences between the pair's vertices, and below the smallest normal double by half the smallest double
-  /// (2^-1075) more, as doubles lie no closer there: proven.
+  /// The distance between the closed features, in the unit of the positions. Proven: off by at most 2^-41 of the
+  /// largest |component| of the differences between the pair's vertices, and by at most 2^-1075 more below the smallest
+  /// normal double (half the smallest double, as doubles lie no closer there).
   double distance;
-  /// Weights of two closest points, as in Contact. Of parallel edges one such pair of points. weights_of is 0 for just
-  /// the vertices that have no share in these points: so of a face it leaves one vertex for a corner, two for a border,
-  /// three for the inside.
+  /// Weights of two closest points, as in Contact; parallel edges have many such points, and these are two of them.
+  /// weights_of is 0 exactly for the vertices that have no share in these points: of a face one vertex is left if the
+  /// point is a corner, two if it is on the border, three if it is inside.
   double u, v;
-  /// Unit vector from the second feature's closest point to the first's. Where they touch: along the normal if that is
-  /// inside a face or two edges, else zero.
+  /// Unit vector from the second feature's closest point to the first's. If they touch: along the normal if the common
+  /// point is inside a face or inside two edges, else zero.
   Point direction;
 };
 
-/// An edge that passes through a triangle, or touches it, without a common vertex.
+/// An edge that passes through a triangle, or touches it, and shares no vertex with it.
 struct Intersection {
   Edge edge;  ///< vertex indices, ascending
   Face face;  ///< vertex indices, in the mesh's order
-  /// The first common point along the edge, counted from edge[0]: its parameter on the edge lies in [s_lower, s_upper],
-  /// and it is (1-u-v) f0 + u f1 + v f2, rounded.
+  /// The first common point along the edge, from edge[0] on: its parameter on the edge lies in [s_lower, s_upper], and
+  /// the point is (1-u-v) f0 + u f1 + v f2, rounded.
   double s_lower, s_upper;
   double u, v;
 };

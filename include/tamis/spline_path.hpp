@@ -7,8 +7,8 @@
 
 namespace tamis {
 
-/// What both have in common: x(t) is a sum of given points, with weights that depend on the time alone; on each of
-/// some pieces of equal length |x''| has a bound.
+/// The common base: x(t) is a sum of given points with weights that depend on the time alone. [0,1] has pieces of equal
+/// length, on each of which |x''| has a bound.
 class SplinePath : public Path {
  public:
   Index vertex_count() const override;
@@ -20,11 +20,12 @@ class SplinePath : public Path {
  protected:
   struct Weights;
 
-  /// frames[i][v]. Throws InvalidPath: fewer than `least` frames, of different sizes, numbers that are not finite.
+  /// `frames[i][v]`: point i of vertex v. Throws InvalidPath on fewer than `least` frames, frames of different sizes,
+  /// and numbers that are not finite.
   SplinePath(std::vector<std::vector<Point>> frames, std::size_t least);
 
   const std::vector<std::vector<Point>>& frames() const { return frames_; }
-  /// A bound of |x''| on the next piece, of each vertex.
+  /// Adds the next piece: for each vertex a bound of |x''| on it.
   void add_piece(std::vector<double> acceleration) { acceleration_.push_back(std::move(acceleration)); }
 
  private:
@@ -37,16 +38,16 @@ class SplinePath : public Path {
 /// Each vertex on a Bezier curve: every polynomial motion can be written so.
 class BezierPath final : public SplinePath {
  public:
-  /// `control_points[i][v]`: the i-th control point of vertex v; one more than the degree, at least 1. Throws
-  /// InvalidPath.
+  /// `control_points[i][v]`: the i-th control point of vertex v; their number is the degree plus one, at least 1.
+  /// Throws InvalidPath.
   explicit BezierPath(std::vector<std::vector<Point>> control_points);
 
  private:
   Weights weights_at(double time) const override;
 };
 
-/// Through a sequence of frames at equal distances of time, smoothly: a cubic between any two, with the slope
-/// (next - previous) / 2 at each frame; at the first and the last one that of the chord (Catmull, Rom 1974).
+/// Through frames at equal distances of time, smoothly: a cubic between two frames, with the slope (next - previous) /
+/// 2 at each frame. At the first and the last frame the slope is that of the chord (Catmull, Rom 1974).
 class CatmullRomPath final : public SplinePath {
  public:
   /// `frames[i][v]`: where vertex v is at t = i / (frames - 1); at least 2. Throws InvalidPath.

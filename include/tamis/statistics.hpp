@@ -1,4 +1,4 @@
-// What the last question to a detector cost.
+// The cost of a detector's last question.
 #pragma once
 #include <cstdint>
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace tamis {
 
-/// Pairs that enter a stage of the pipeline.
+/// How many pairs of each kind enter one stage of the pipeline.
 struct StageCount {
   std::string_view name;
   std::uint64_t vf = 0;
@@ -17,8 +17,8 @@ struct StageCount {
   std::uint64_t vv = 0;
 };
 
-/// Wall-clock seconds of each part; with several threads `traverse`, `filter` and `solve` share one pass over the
-/// tree, and their parts are scaled from the sums over the threads; `build` includes listing pairs ahead.
+/// Wall-clock seconds of each part. `traverse`, `filter` and `solve` share one pass over the tree; its time is divided
+/// in proportion to their sums over the threads. `build` includes listing pairs ahead.
 struct Seconds {
   double bounds = 0;
   double build = 0;
@@ -38,12 +38,12 @@ struct Seconds {
   }
 };
 
-/// Pairs decided by each arithmetic.
+/// How many pairs each arithmetic decides.
 struct PrecisionCount {
   std::uint64_t lanes = 0;       ///< SIMD doubles with error bounds
-  std::uint64_t scalar = 0;      ///< subdivision in time, doubles with error bounds, or pairs of doubles
+  std::uint64_t scalar = 0;      ///< one pair alone: subdivision in time, doubles with error bounds, or double-double
   std::uint64_t exact = 0;       ///< exact algebra
-  std::uint64_t unresolved = 0;  ///< none of these: unresolved contacts, of curved motion alone
+  std::uint64_t unresolved = 0;  ///< by none: unresolved contacts, on curved motion only
 
   PrecisionCount& operator+=(const PrecisionCount& other) {
     lanes += other.lanes;
@@ -58,17 +58,17 @@ struct Statistics {
   Isa isa = Isa::baseline;  ///< the one that ran, never `best`
   int threads = 1;
   /// In pipeline order. The first stage counts the pairs of features whose boxes meet, and some more, which depend on
-  /// earlier questions (where pairs were listed ahead, those of the list that the question decides).
+  /// earlier questions. If pairs were listed ahead, it counts the pairs of that list that the question decides.
   std::vector<StageCount> stages;
   PrecisionCount decided_by;
   Seconds seconds;
-  /// AtStart::ignore, of contacts, earliest and is_free, of steps and of paths: pairs that touch at t=0, and not again
-  /// once they are apart; of the last two those that were looked at.
+  /// With AtStart::ignore, the number of pairs that touch at t=0 and do not touch again once they are apart. `contacts`
+  /// counts all such pairs; `earliest` and `is_free` count those that they look at. On steps and on paths.
   std::uint64_t ignored = 0;
-  std::uint64_t nodes_visited = 0;  ///< also to list pairs ahead; 0 where they had been
+  std::uint64_t nodes_visited = 0;  ///< nodes of the trees, also to list pairs ahead; 0 if pairs had been listed
   bool rebuilt = false;             ///< the hierarchy was built, not refitted
-  /// Held by the detector: hierarchy, buffers, contacts, groups, rings. With more than one thread it differs from run
-  /// to run, as each thread's buffers grow with what that thread came to do.
+  /// Memory that the detector holds: hierarchy, buffers, contacts, groups, rings. With more than one thread it differs
+  /// from run to run, as each thread's buffers grow with that thread's share of the work.
   std::uint64_t memory_bytes = 0;
 };
 

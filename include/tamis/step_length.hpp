@@ -1,4 +1,4 @@
-// How far a step may go: all vertices alike, or each by itself.
+// How far a step may go: all vertices to one time, or each vertex by itself.
 #pragma once
 #include <optional>
 #include <vector>
@@ -9,31 +9,31 @@
 namespace tamis {
 
 /// Answer to "how far may the step go so that every pair keeps a fraction of its distance?". The distance that counts
-/// is what exceeds the minimum separation.
+/// is what exceeds the minimum separation and both radii.
 struct SafeStep {
   /// On [0, lower] every pair keeps at least the fraction, and on [0, lower) none touches: proven. 1 if the whole step
-  /// may go; 0 only if a pair touches (comes within the minimum separation) at t=0, and is not ignored for it, or
-  /// (upper > 0) may have lost its part sooner than at any positive double.
+  /// may go. 0 only if a pair touches (is within the minimum separation) at t=0 and is not ignored, or if a pair may
+  /// have lost its part (upper > 0) sooner than at any positive double.
   double lower = 1;
-  /// At this time some pair has no more than the fraction left: proven; 1 if that is not known of any time.
+  /// At this time some pair has no more than the fraction left: proven. 1 if that is not known of any time.
   double upper = 1;
-  /// The pair that ends the step at `lower`, as it is at t=0 (on a path, of the positions as rounded); none if the
+  /// The pair that ends the step at `lower`, as it is at t=0 (on a path: at positions rounded to doubles); none if the
   /// whole step may go.
   std::optional<NearPair> pair;
 };
 
-/// Where a step may end, each vertex on its own line towards its end.
+/// Where each vertex may go, on its own line from the start of the step towards its end.
 struct TruncatedStep {
-  /// One a vertex: where to go. On the straight way there from the start of the step, to these very doubles, every pair
-  /// keeps the fraction of its distance, as far as that exceeds the minimum separation and both radii: proven. A pair
-  /// that starts within those keeps all of its distance but a millionth, or none of its vertices moves; one that is
-  /// ignored for it (AtStart) does not come back to them once it has left them.
+  /// One a vertex: the position to go to. On the straight way from the start of the step to these very doubles, every
+  /// pair keeps the fraction of its distance, as far as that exceeds the minimum separation and both radii: proven. A
+  /// pair that starts within these keeps all of its distance but a millionth, or none of its vertices moves. A pair
+  /// that is ignored at the start (AtStart) does not come back within these once it is apart.
   std::vector<Point> positions;
-  /// One a vertex: how much of its way it goes, in [0, 1], 1 for vertices that take no part in contacts. What
-  /// start + fraction (end - start) is rounded to need not be `positions`.
+  /// One a vertex: the fraction of its way that it goes, in [0, 1]; 1 for vertices that take no part in contacts. start
+  /// + fraction (end - start), rounded, may differ from `positions`.
   std::vector<double> fractions;
-  /// The whole way is free of contacts. False: some pair touches (is within the minimum separation) at the start, and
-  /// is not ignored for it.
+  /// Whether the way to `positions` is free of contacts. False if some pair touches (is within the minimum separation)
+  /// at the start and is not ignored.
   bool is_free = true;
 };
 

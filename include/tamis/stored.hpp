@@ -1,11 +1,11 @@
-// In which numbers a caller keeps positions.
+// The number type in which a caller keeps positions.
 #pragma once
 #include <cstdint>
 #include <string_view>
 
 namespace tamis {
 
-/// The numbers in which the caller keeps positions between steps.
+/// The number type in which the caller keeps positions between steps.
 enum class Stored : std::uint8_t { float64, float32 };
 
 std::string_view name_of(Stored);

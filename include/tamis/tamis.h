@@ -1,18 +1,18 @@
 /* Tamis for C, and for every language that can call C: contacts between moving, deforming triangle meshes.
  *
- * Handles are opaque. Whatever makes or asks something returns a status; its sentence stands in the handle until the
- * next call with it. A call that makes a handle writes one even if it fails, to read the sentence from, unless memory
- * ran out (then NULL): free it in either case. Freeing NULL does nothing. Nothing is thrown across this interface.
+ * Handles are opaque. Calls that make or ask something return a status. The handle keeps the status's message until the
+ * next call with it. A failed call that makes a handle writes one, too, to read the message from (unless memory ran
+ * out: then NULL): free it in either case. Freeing NULL does nothing. Nothing is thrown across this interface.
  *
- * Structs begin with their size: set it to sizeof, the rest to zero, then what you need. So they may grow, and an older
- * program still runs with a newer library: what a caller does not know of is left as it is by default, and what the
- * library does not know of must be zero.
+ * Structs begin with their size: set it to sizeof, the rest to zero, then the fields that you need. So structs may
+ * grow, and an older program still runs with a newer library: fields that the program does not know have their
+ * defaults, and fields that the library does not know must be zero.
  *
- * Pointers that are given are read during the call alone. One handle serves one thread at a time; calls at once with
- * a detector that is asking give TAMIS_BUSY. Different handles are independent.
+ * Arrays and strings that are given are read during the call alone. One handle serves one thread at a time; a call with
+ * a detector or world that is still answering returns TAMIS_BUSY. Different handles are independent.
  *
- * All of it is here; the parts: a mesh, a detector that asks about it, single pairs, curved motion,
- * and worlds of bodies. */
+ * This header includes all parts: meshes, detectors that are asked about them, single pairs, curved motion, and worlds
+ * of bodies. */
 #ifndef TAMIS_TAMIS_H
 #define TAMIS_TAMIS_H
 

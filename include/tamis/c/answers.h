@@ -1,4 +1,4 @@
-/* What is asked about, and what is answered, by more than one handle. */
+/* Steps, answers and statistics, which several kinds of handles share. */
 #ifndef TAMIS_C_ANSWERS_H
 #define TAMIS_C_ANSWERS_H
 #include "tamis/c/status.h"
@@ -7,16 +7,17 @@
 extern "C" {
 #endif
 
-/** Kinds of pairs and their vertices. Vertex-face: the vertex, then the face's vertices in the mesh's order.
- * Edge-edge: each edge ascending, the smaller edge first. Vertex-edge: the vertex, then the edge's, ascending.
- * Vertex-vertex: ascending. Vertices that a kind does not use are -1. */
+/** Kinds of pairs and their vertices. Vertex-face: the vertex, then the face's vertices in the mesh's order. Edge-edge:
+ * the vertices of each edge ascending, the smaller edge first. Vertex-edge: the vertex, then the edge's vertices,
+ * ascending. Vertex-vertex: ascending. Entries that a kind does not use are -1. */
 enum { TAMIS_VERTEX_FACE = 0, TAMIS_EDGE_EDGE = 1, TAMIS_VERTEX_EDGE = 2, TAMIS_VERTEX_VERTEX = 3 };
-/** Certified: proven to touch at some time of the bracket. Unresolved, on a path alone: arithmetic could not decide;
- * kept, because a contact must never be missed. */
+/** TAMIS_CERTIFIED, proven: the closed features touch (come within the minimum separation) at some time of the bracket.
+ * TAMIS_UNRESOLVED, only on a path: arithmetic could not decide; kept, because a contact must never be missed. */
 enum { TAMIS_CERTIFIED = 0, TAMIS_UNRESOLVED = 1 };
 
-/** What becomes of pairs that touch at t=0: they are contacts; they count once they have come apart; or the question
- * ends with TAMIS_INVALID_STEP, and its sentence names the first of them. */
+/** How a question counts pairs that touch at t=0. TAMIS_REPORT: they are contacts. TAMIS_IGNORE: a pair is a contact
+ * only when it touches again, after a time at which it does not touch. TAMIS_FAIL: the question ends with
+ * TAMIS_INVALID_STEP, and the message names the first such pair. */
 enum { TAMIS_REPORT = 0, TAMIS_IGNORE = 1, TAMIS_FAIL = 2 };
 
 /** Each vertex moves on a straight line from its row of `start` (t=0) to that of `end` (t=1). */
@@ -27,8 +28,8 @@ typedef struct tamis_step {
   const double* end;            /**< the same at t=1 */
   ptrdiff_t start_stride;       /**< doubles from one row to the next, >= 3; 0: 3 */
   ptrdiff_t end_stride;         /**< the same of end */
-  const double* min_separation; /**< of this question alone; NULL: the detector's */
-  int32_t at_start;             /**< of a question to a detector: TAMIS_REPORT, TAMIS_IGNORE or TAMIS_FAIL */
+  const double* min_separation; /**< for this question alone; NULL: the detector's */
+  int32_t at_start;             /**< only for a detector's questions: TAMIS_REPORT, TAMIS_IGNORE or TAMIS_FAIL */
 } tamis_step;
 
 /** One pair of features that touches during the step. */
@@ -36,49 +37,53 @@ typedef struct tamis_contact {
   int32_t kind;
   int32_t certainty;
   int32_t vertices[4];
-  double toi_lower; /**< fraction of the step: the pair is apart on [0, toi_lower) */
+  double toi_lower; /**< fraction of the step in [0, 1]: the pair is apart on [0, toi_lower) */
   double toi_upper; /**< if certified, it touches at some time of [toi_lower, toi_upper] */
-  double u, v;      /**< vf: point = (1-u-v) f0 + u f1 + v f2; ee: u on the first edge, v on the second; ve: u */
-  /** Of unit length: the direction in which the first feature must go, or the second be pushed back, so that they part.
-   * With a separation along the closest points at toi_lower; else of the face, or of both edges, on the side where the
-   * first feature is just before they touch. Special cases: tamis/contact.hpp. */
+  double u, v; /**< vf: point = (1-u-v) f0 + u f1 + v f2; ee: u on the first edge, v on the second; ve: u on the edge */
+  /** Unit vector: the direction in which the first feature must go, or against which the second must go, so that they
+   * part. With a minimum separation or radii, and for vertex-edge and vertex-vertex: from the second feature's closest
+   * point to the first's at toi_lower. Otherwise: the normal of the face, or the cross product of both edges, on the
+   * side where the first feature is just before they touch. Special cases: Contact in tamis/contact.hpp. */
   double normal[3];
-  int32_t bodies[2]; /**< of a world: whose the first feature is, and the second; of a detector: -1 */
+  int32_t bodies[2]; /**< in a world the first feature's body and the second's; from a detector -1 */
 } tamis_contact;
 
-/** Writes a signed weight for each of the four vertices of a contact, a near pair or a pair's result. The sum of
- * weights times positions is the vector from the second feature's point to the first's; over the first feature's
- * vertices alone it is the point there. TAMIS_INVALID_ARGUMENT: no such kind, or `weights` is NULL. */
+/** Writes a signed weight for each of the four vertices of a contact, a near pair or a pair's result; 0 for unused
+ * entries. The first feature's vertices, weighted and summed, give its point; the second feature's give its point,
+ * negative. So the sum over all is the vector from the second point to the first. TAMIS_INVALID_ARGUMENT: there is no
+ * such kind, or `weights` is NULL. */
 TAMIS_API tamis_status tamis_weights_of(int32_t kind, double u, double v, double* weights);
 
 /** A pair of features that are near each other; see NearPair in tamis/proximity.hpp. */
 typedef struct tamis_near_pair {
   int32_t kind;
   int32_t vertices[4]; /**< as in tamis_contact */
-  double distance;     /**< off by 2^-41 of the pair's extent at most; by 2^-1075 more if it is no normal double */
-  double u, v;         /**< weights of two closest points; tamis_weights_of is 0 for vertices without a share */
-  double direction[3]; /**< from the second feature's closest point to the first's */
+  double distance; /**< proven: off by at most 2^-41 of the largest |component| of the differences between the pair's
+                      vertices, and by at most 2^-1075 more below the smallest normal double */
+  double u, v;     /**< weights of two closest points; tamis_weights_of gives 0 to vertices without a share */
+  double direction[3]; /**< unit vector from the second feature's closest point to the first's */
   int32_t bodies[2];   /**< as in tamis_contact */
 } tamis_near_pair;
 
-/** How far a step may go so that a fraction of every distance is kept. */
+/** How far a step may go so that every pair keeps a fraction of its distance. */
 typedef struct tamis_safe_step {
   size_t size;
-  double lower;         /**< on [0, lower] every pair keeps the fraction, on [0, lower) none touches: proven */
-  double upper;         /**< at this time some pair has no more than it left: proven; 1 if not known of any time */
+  double lower; /**< on [0, lower] every pair keeps the fraction, on [0, lower) none touches: proven */
+  double upper; /**< at this time some pair has no more than the fraction left: proven; 1 if not known of any time */
   int32_t has_pair;     /**< 0: the whole step may go */
-  tamis_near_pair pair; /**< the one that ends the step, at t=0; without meaning if has_pair is 0 */
+  tamis_near_pair pair; /**< the pair that ends the step, as it is at t=0; no meaning if has_pair is 0 */
 } tamis_safe_step;
 
 /** An edge that passes through a triangle, or touches it; see Intersection in tamis/proximity.hpp. */
 typedef struct tamis_intersection {
   int32_t edge[2], face[3];
-  double s_lower, s_upper; /**< the first common point lies between these on the edge */
-  double u, v;             /**< and is (1-u-v) f0 + u f1 + v f2 */
-  int32_t bodies[2];       /**< of a world: whose the edge is, and the face; of a detector: -1 */
+  double s_lower, s_upper; /**< parameter of the first common point, from edge[0] on: in [s_lower, s_upper] */
+  double u, v;             /**< that point is (1-u-v) f0 + u f1 + v f2, rounded */
+  int32_t bodies[2];       /**< in a world the edge's body and the face's; from a detector -1 */
 } tamis_intersection;
 
-/** What one pair does, as of a contact; what follows `touches` has no meaning if that is 0. */
+/** Whether and when one pair touches during the step; members as in tamis_contact. If `touches` is 0, the others have
+ * no meaning. */
 typedef struct tamis_pair_result {
   int32_t touches; /**< 0: proven free */
   int32_t certainty;
@@ -91,21 +96,22 @@ enum { TAMIS_MOST_STAGES = 16, TAMIS_MOST_KINDS = 8 };
 
 typedef struct tamis_stage {
   const char* name;
-  uint64_t pairs[TAMIS_MOST_KINDS]; /**< that entered, of each kind: pairs[TAMIS_EDGE_EDGE]; 0 of kinds to come */
+  uint64_t pairs[TAMIS_MOST_KINDS]; /**< how many pairs of each kind entered, as in pairs[TAMIS_EDGE_EDGE]; 0 for kinds
+                                       to come */
 } tamis_stage;
 
-/** What the last question cost; times in seconds. */
+/** The cost of the last question; times in seconds. */
 typedef struct tamis_statistics {
   size_t size;
   const char* isa;
   int32_t threads;
   int32_t rebuilt; /**< 1: the hierarchy was built, not refitted */
   double seconds_total, seconds_bounds, seconds_build, seconds_traverse, seconds_filter, seconds_solve;
-  uint64_t decided_by_lanes, decided_by_scalar, decided_by_exact, unresolved; /**< the last on paths alone */
+  uint64_t decided_by_lanes, decided_by_scalar, decided_by_exact, unresolved; /**< `unresolved`: on paths only */
   uint64_t nodes_visited, memory_bytes;
   int32_t stage_count;
   tamis_stage stages[TAMIS_MOST_STAGES]; /**< in the pipeline's order; names live until the next call for statistics */
-  uint64_t ignored; /**< with TAMIS_IGNORE: pairs that touch at t=0, and not again once they are apart */
+  uint64_t ignored; /**< with TAMIS_IGNORE: pairs that touch at t=0 and do not touch again once they are apart */
 } tamis_statistics;
 
 #ifdef __cplusplus

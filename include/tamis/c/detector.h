@@ -10,76 +10,85 @@ extern "C" {
 
 typedef struct tamis_detector tamis_detector;
 
-/** All zero but `size` are the defaults. */
+/** Options of a detector. A field that is zero has its default. */
 typedef struct tamis_options {
   size_t size;
-  const char* isa;                 /**< "best", "baseline", "avx2", "avx512"; NULL: best. Speed only */
-  int32_t threads;                 /**< 0: as many as the caller's oneTBB arena gives. Speed only */
+  const char* isa;                 /**< "best", "baseline", "avx2", "avx512"; NULL: "best". Changes speed only */
+  int32_t threads;                 /**< 0: as many as the caller's oneTBB arena gives. Changes speed only */
   double min_separation;           /**< d >= 0: contact means Euclidean distance <= d */
-  const int32_t* group_of_vertex;  /**< one a vertex of the mesh, in [0, group_count), or -1 if no feature has it; NULL:
-                                      all are in group 0, the only one, and groups_may_touch is NULL too */
+  const int32_t* group_of_vertex;  /**< the group of each vertex, in [0, group_count), or -1 for a vertex that takes no
+                                      part in contacts; NULL: all vertices are in group 0, group_count is 0 or 1 and
+                                      groups_may_touch is NULL, too */
   int32_t group_count;             /**< 0: one group */
-  const uint8_t* groups_may_touch; /**< group_count x group_count, symmetric; 0 leaves out; NULL: all are tested */
-  /** Asked for every pair that is left, from several threads; 0 leaves the pair out. NULL: all are tested. */
+  const uint8_t* groups_may_touch; /**< group_count x group_count, symmetric; 0 leaves out the pairs of these two
+                                      groups; NULL: none are left out */
+  /** Asked, after the groups, for each pair that may still be in the answer, from several threads; 0 leaves the pair
+   * out. NULL: none are left out. */
   int (*accepts)(void* user, int32_t kind, const int32_t* vertices);
-  /** Asked again and again during a question, from several threads; other than 0 ends it with TAMIS_CANCELLED. */
+  /** Asked again and again during a question, from several threads; once it returns other than 0, the question ends
+   * with TAMIS_CANCELLED. */
   int (*is_cancelled)(void* user);
-  void* user;          /**< handed to both */
-  const double* radii; /**< a radius >= 0 for each group, group_count of them; NULL: all zero */
-  int32_t rings;       /**< pairs are left out that are fewer edges apart along the mesh; 0: 1, a common vertex */
+  void* user;          /**< passed to accepts and is_cancelled */
+  const double* radii; /**< a radius >= 0 for each group, group_count of them: half of its thickness; NULL: all zero */
+  int32_t rings; /**< leaves out pairs whose features are fewer than `rings` edges apart along the mesh; 0: 1, which
+                    leaves out pairs with a common vertex */
 } tamis_options;
 
-/** Copies the mesh. NULL as options: the defaults. TAMIS_INVALID_OPTIONS: see tamis/options.hpp. */
+/** Copies the mesh. `options` NULL: the defaults. TAMIS_INVALID_OPTIONS: see Detector in tamis/detector.hpp. */
 TAMIS_API tamis_status tamis_detector_create(const tamis_mesh* mesh, const tamis_options* options,
                                              tamis_detector** detector);
 TAMIS_API void tamis_detector_free(tamis_detector* detector);
-/** What the last call with this detector had to say; "" after TAMIS_OK. */
+/** The message of the last call with this detector; "" after TAMIS_OK. */
 TAMIS_API const char* tamis_detector_message(const tamis_detector* detector);
 
-/** All contacts of the step, by kind, then vertices; tamis_detector_copy_contacts() hands them out. */
+/** All contacts of the step, sorted by kind, then vertices. Writes their number; tamis_detector_copy_contacts() copies
+ * them. */
 TAMIS_API tamis_status tamis_detector_contacts(tamis_detector* detector, const tamis_step* step, size_t* count);
-/** The first contact: the motion is free on [0, *toi_lower), proven; at *toi_upper some pair has touched. *count
- * is 0, and both times 1, if the step is free; else 1, for tamis_detector_copy_contacts(). */
+/** The first contact. The motion is free on [0, *toi_lower): proven. A certified contact happens at or before
+ * *toi_upper. *count is 0, and both times are 1, if the step is free; otherwise *count is 1, and
+ * tamis_detector_copy_contacts() copies the contact. */
 TAMIS_API tamis_status tamis_detector_earliest(tamis_detector* detector, const tamis_step* step, double* toi_lower,
                                                double* toi_upper, size_t* count);
 /** Writes 1 if the whole step is free of contacts, else 0. */
 TAMIS_API tamis_status tamis_detector_is_free(tamis_detector* detector, const tamis_step* step, int* is_free);
 
-/** How far may the step go so that every pair keeps at least `keep`, 0 <= keep < 1, of its distance? C has no
- * defaults: C++ and Python take 0.1, here and of tamis_detector_truncate. Which when: Detector in tamis/detector.hpp.
- */
+/** How far may the step go so that every pair keeps at least the fraction `keep` of its distance at t=0? The distance
+ * that counts is what exceeds the minimum separation and both radii. 0 <= keep < 1. C has no default arguments: C++ and
+ * Python take 0.1, here and for tamis_detector_truncate. Which value when: Detector in tamis/detector.hpp. */
 TAMIS_API tamis_status tamis_detector_safe_step(tamis_detector* detector, const tamis_step* step, double keep,
                                                 tamis_safe_step* answer);
 
-/** The numbers in which the caller keeps positions between steps. */
+/** The number type in which the caller keeps positions between steps. */
 enum { TAMIS_FLOAT64 = 0, TAMIS_FLOAT32 = 1 };
 
-/** Positions to go to, each vertex as far as it may on its own line: three doubles for each vertex of the mesh, on the
- * straight way to which every pair keeps the fraction of its distance, 0 < keep < 1: proven. `fractions`, one a vertex,
- * is how much of its way each goes, in [0, 1]; NULL: not wanted. *is_free is 0 if something touches at the start,
- * and is not ignored for it; of that no pair comes nearer. `stored` is TAMIS_FLOAT64 or TAMIS_FLOAT32: with the latter
- * all positions are floats' values, so that storing them as floats changes nothing, and the step's start must be made
- * of such. See TruncatedStep in tamis/step_length.hpp. */
+/** Positions to go to, each vertex as far as it may on its own line: three doubles for each vertex of the mesh. On the
+ * straight way there every pair keeps the fraction `keep` of its distance, 0 < keep < 1: proven. `fractions`: for each
+ * vertex the fraction of its way that it goes, in [0, 1]; NULL: not wanted. *is_free is 0 if some pair touches at the
+ * start and is not ignored; such a pair comes no nearer. `stored`: TAMIS_FLOAT64 or TAMIS_FLOAT32. With TAMIS_FLOAT32
+ * all positions are values of floats, storing them as floats changes nothing, and the step's start must consist of
+ * values of floats. See Detector::truncate in tamis/detector.hpp. */
 TAMIS_API tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step* step, double keep,
                                                int32_t stored, double* positions, double* fractions, int* is_free);
 
-/** Every pair whose distance at the step's start is at most `distance` plus both radii; the step's end is not read. */
+/** Every pair of features whose distance at the step's start is at most `distance` plus both radii. Writes their
+ * number. The step's end is not read. */
 TAMIS_API tamis_status tamis_detector_pairs_within(tamis_detector* detector, const tamis_step* step, double distance,
                                                    size_t* count);
-/** Every edge that passes through a triangle or touches it at the step's start: exactly. The end is not read. */
+/** Every edge that passes through a triangle or touches it at the step's start, and shares no vertex with it. Decided
+ * exactly. Writes their number. The step's end is not read. */
 TAMIS_API tamis_status tamis_detector_intersections(tamis_detector* detector, const tamis_step* step, size_t* count);
-/** Writes 1 if there is any, else 0. */
+/** Writes 1 if there is any intersection, else 0. Ends at the first one. */
 TAMIS_API tamis_status tamis_detector_has_intersection(tamis_detector* detector, const tamis_step* step,
                                                        int* has_intersection);
-/** As tamis_detector_copy_contacts, of the last question for near pairs or for intersections. */
+/** As tamis_detector_copy_contacts, for the last question about near pairs or about intersections. */
 TAMIS_API tamis_status tamis_detector_copy_pairs_within(tamis_detector* detector, size_t first, size_t count,
                                                         tamis_near_pair* pairs, size_t pair_size);
 TAMIS_API tamis_status tamis_detector_copy_intersections(tamis_detector* detector, size_t first, size_t count,
                                                          tamis_intersection* intersections, size_t intersection_size);
 
-/** Copies contacts [first, first + count) of the last question about a step or a path, if that was for contacts or the
- * earliest one, into an array whose elements are `contact_size` = sizeof(tamis_contact) bytes: after any other there
- * are none. */
+/** Copies contacts [first, first + count) of the last question about a step or a path into an array whose elements are
+ * `contact_size` = sizeof(tamis_contact) bytes. Only questions for contacts or for the earliest one leave contacts to
+ * copy. */
 TAMIS_API tamis_status tamis_detector_copy_contacts(tamis_detector* detector, size_t first, size_t count,
                                                     tamis_contact* contacts, size_t contact_size);
 

@@ -1,4 +1,4 @@
-/* Curved motion. */
+/* Curved motion: where every vertex is at each time of a step, and questions about it. */
 #ifndef TAMIS_C_PATH_H
 #define TAMIS_C_PATH_H
 #include "tamis/c/answers.h"
@@ -8,8 +8,8 @@
 extern "C" {
 #endif
 
-/** How all vertices move for t in [0,1], on curves. Copies what it is made of, but for tamis_path_functions. May be
- * asked by several detectors at a time. */
+/** How all vertices move for t in [0,1], on continuous curves. Copies all arrays that it is made with; the functions
+ * and `user` of tamis_path_functions must live as long as the path. Several detectors may ask about it at a time. */
 typedef struct tamis_path tamis_path;
 
 /** x goes to R x + position, R being the rotation by |rotation| radians about the direction of `rotation`. */
@@ -24,39 +24,43 @@ typedef struct tamis_link {
   tamis_pose end;
 } tamis_link;
 
-/** Writes the two links of a body that from `start` turns at constant speed about the fixed axis of `turn` by |turn|
- * radians, while one point of it, `center` in its frame, goes straight to `end_position`: engines take the center of
- * mass. NULL as center: the origin of its frame. These calls have no handle to keep a sentence in. */
+/** Writes the two links of a body's motion: from `start` the body turns at constant speed about the fixed axis of
+ * `turn`, by |turn| radians, while one point of it, `center` in its frame, goes straight to `end_position`: engines
+ * take the center of mass. `center` NULL: the origin of the body's frame. This call and the next five have no handle
+ * that keeps a message. */
 TAMIS_API tamis_status tamis_turned(const tamis_pose* start, const double* turn, const double* end_position,
                                     const double* center, tamis_link* links);
-/** The same from one pose to the other, by the shorter turn (slerp). */
+/** The same from one pose to the other, by the shorter turn about a fixed axis, at constant speed (slerp). */
 TAMIS_API tamis_status tamis_between(const tamis_pose* start, const tamis_pose* end, const double* center,
                                      tamis_link* links);
-/** Writes where a chain takes its body at a time in [0,1], as after a step of which that part is safe. */
+/** Writes the pose of a chain's body at a time in [0,1], for example after a step that is safe until then. */
 TAMIS_API tamis_status tamis_pose_at(const tamis_link* links, size_t count, double time, tamis_pose* pose);
-/** For engines that blend quaternions and normalize them (nlerp): writes how far a point is at most from where
- * tamis_between has it, as a part of its distance from the center. Ask with as much separation. */
+/** For engines that blend quaternions and normalize them (nlerp): they go the way of tamis_between at another speed. No
+ * point is ever farther from its place by tamis_between than *part times its distance from the center. A motion that is
+ * free by tamis_between, with this deviation as additional separation, is free by nlerp. */
 TAMIS_API tamis_status tamis_nlerp_deviation(const tamis_pose* start, const tamis_pose* end, double* part);
-/** From a quaternion w x y z, or the rows of a matrix, also of float32: what rounding has made of a rotation becomes
- * the nearest one. TAMIS_INVALID_PATH: more than that, 1e-4 of |q|^2 - 1 or of an entry of R R^T - I; a reflection. */
+/** The pose of a quaternion (w x y z), or of a rotation matrix given by its rows (9 doubles), as engines keep them,
+ * also in floats. Both are rotations with rounding errors: the nearest rotation is taken. TAMIS_INVALID_PATH if they
+ * are off by more than rounding: an entry of R R^T - I, or |q|^2 - 1, beyond 1e-4; a reflection. */
 TAMIS_API tamis_status tamis_pose_of_quaternion(const double* quaternion, const double* position, tamis_pose* pose);
 TAMIS_API tamis_status tamis_pose_of_matrix(const double* rows, const double* position, tamis_pose* pose);
 
-/** Bodies that move each on a chain of links. */
+/** Bodies that each move on a chain of links. */
 typedef struct tamis_rigid_path_input {
   size_t size;
   int32_t vertex_count;
   const double* rest;            /**< vertex_count x 3: each vertex in its body's own frame */
-  const int32_t* body_of_vertex; /**< one each, in [0, body_count) */
+  const int32_t* body_of_vertex; /**< the body of each vertex, in [0, body_count) */
   size_t body_count;
-  /** How many links each body has; 0: at rest where it is given. A point of the body goes through the last one first.
-   */
+  /** How many links each body has; 0: the body stays where its points are given. A point of the body goes through the
+   * last link first. */
   const size_t* links_of_body;
-  const tamis_link* links; /**< of all bodies, one after the other */
-  const double* rest_end;  /**< vertex_count x 3: where each goes straight in that frame by t=1; NULL: all stay */
+  const tamis_link* links; /**< the links of all bodies, one body after the other */
+  const double* rest_end;  /**< vertex_count x 3: where each vertex, which goes straight in that frame, is at t=1; NULL:
+                              all stay */
 } tamis_rigid_path_input;
 
-/** Frames of points: the control points of Bezier curves, or what a Catmull-Rom spline goes through. */
+/** Frames of points: the control points of Bezier curves, or the frames through which a Catmull-Rom spline goes. */
 typedef struct tamis_spline_path_input {
   size_t size;
   int32_t vertex_count;
@@ -64,44 +68,47 @@ typedef struct tamis_spline_path_input {
   const double* frames; /**< frame_count x vertex_count x 3 */
 } tamis_spline_path_input;
 
-/** Any motion. Both functions are asked from several threads, for `count` vertices by their numbers. */
+/** Any motion. Both functions are called from several threads, for `count` vertices by their numbers. */
 typedef struct tamis_path_functions {
   size_t size;
   int32_t vertex_count;
-  /** Writes where each is at `time`, count x 3, and for each a bound >= 0 of how far a coordinate may be off. */
+  /** Writes where each vertex is at `time`, count x 3, and for each a bound >= 0: no coordinate is off by more than
+   * this. */
   void (*points_at)(void* user, double time, const int32_t* vertices, size_t count, double* points, double* errors);
-  /** Writes for each a bound >= 0 of how far it deviates, at any time of [from, to], from its chord walked at constant
-   * speed; for smooth curves |x''| (to - from)^2 / 8. See Path in tamis/path.hpp. */
+  /** Writes for each vertex a bound, >= 0, of its deviation: its Euclidean distance, at any time t of [from, to], from
+   * ((to - t) x(from) + (t - from) x(to)) / (to - from), which goes along the chord at constant speed. The bound must
+   * go to zero as the piece gets shorter, for smooth curves with the square of its length: |x''| (to - from)^2 / 8. */
   void (*deviations)(void* user, double from, double to, const int32_t* vertices, size_t count, double* deviations);
-  void* user; /**< handed to both */
+  void* user; /**< passed to both */
 } tamis_path_functions;
 
-/** TAMIS_INVALID_PATH: sizes that do not fit, numbers that are not finite. */
+/** TAMIS_INVALID_PATH on sizes that do not fit and on numbers that are not finite. */
 TAMIS_API tamis_status tamis_rigid_path_create(const tamis_rigid_path_input* input, tamis_path** path);
-/** Each vertex on a Bezier curve of degree frame_count - 1. */
+/** Each vertex moves on a Bezier curve of degree frame_count - 1. */
 TAMIS_API tamis_status tamis_bezier_path_create(const tamis_spline_path_input* input, tamis_path** path);
-/** Through at least two frames at equal distances of time, smoothly. */
+/** Each vertex moves through at least two frames at equal distances of time, smoothly. */
 TAMIS_API tamis_status tamis_catmull_rom_path_create(const tamis_spline_path_input* input, tamis_path** path);
 TAMIS_API tamis_status tamis_function_path_create(const tamis_path_functions* functions, tamis_path** path);
 TAMIS_API void tamis_path_free(tamis_path* path);
-/** What the last call with this path had to say; "" after TAMIS_OK. A detector that is asked about it keeps its own. */
+/** The message of the last call with this path; "" after TAMIS_OK. A detector that is asked about the path keeps its
+ * own message. */
 TAMIS_API const char* tamis_path_message(const tamis_path* path);
-/** Where the vertices are at a time in [0,1], rounded: vertex_count x 3. */
+/** Writes where the vertices are at a time in [0,1], rounded to doubles: vertex_count x 3. */
 TAMIS_API tamis_status tamis_path_points_at(tamis_path* path, double time, double* points);
 
-/** All zero but `size` are the defaults. */
+/** Options of one question about a path. A field that is zero has its default. */
 typedef struct tamis_path_options {
   size_t size;
-  double tolerance;             /**< widest bracket of a contact, in (0, 1], a fraction of the step; 0: 1e-9 */
-  const double* min_separation; /**< of this question; NULL: the detector's, or 0 for pairs */
-  /** Of lists of pairs, of which each may take seconds: asked again and again; other than 0 ends the call with
-   * TAMIS_CANCELLED. A detector asks its own. */
+  double tolerance;             /**< the widest bracket of a contact, a fraction of the step in (0, 1]; 0: 1e-9 */
+  const double* min_separation; /**< for this question alone; NULL: the detector's, or 0 for pairs */
+  /** Only for lists of pairs, where one pair may take seconds: asked again and again; once it returns other than 0, the
+   * call ends with TAMIS_CANCELLED. A detector asks that of its own options. */
   int (*is_cancelled)(void* user);
-  void* user; /**< handed to it */
+  void* user; /**< passed to is_cancelled */
 } tamis_path_options;
 
-/** As without a path; NULL as options: the defaults. TAMIS_INVALID_PATH: one that does not fit the mesh, or breaks its
- * promises. A contact that cannot be decided, such as a touch without crossing, is unresolved. */
+/** As the questions about a step. `options` NULL: the defaults. TAMIS_INVALID_PATH if the path does not fit the mesh or
+ * breaks its promises. A contact that cannot be decided, such as a touch without crossing, is unresolved. */
 TAMIS_API tamis_status tamis_detector_contacts_on_path(tamis_detector* detector, const tamis_path* path,
                                                        const tamis_path_options* options, size_t* count);
 TAMIS_API tamis_status tamis_detector_earliest_on_path(tamis_detector* detector, const tamis_path* path,
@@ -110,7 +117,8 @@ TAMIS_API tamis_status tamis_detector_earliest_on_path(tamis_detector* detector,
 TAMIS_API tamis_status tamis_detector_is_free_on_path(tamis_detector* detector, const tamis_path* path,
                                                       const tamis_path_options* options, int* is_free);
 
-/** A list of pairs on a path: `count` rows of 4, 4, 3 or 2 vertices, by their numbers in the path. */
+/** A list of pairs on a path, each of 4, 4, 3 or 2 vertices: `vertices` has `count` rows of their numbers in the path.
+ * Writes `count` results of `result_size` = sizeof(tamis_pair_result) bytes. */
 TAMIS_API tamis_status tamis_path_vertex_face(tamis_path* path, const tamis_path_options* options, size_t count,
                                               const int32_t* vertices, tamis_pair_result* results, size_t result_size);
 TAMIS_API tamis_status tamis_path_edge_edge(tamis_path* path, const tamis_path_options* options, size_t count,

@@ -1,4 +1,4 @@
-/* What every call returns. */
+/* The status that calls return. */
 #ifndef TAMIS_C_STATUS_H
 #define TAMIS_C_STATUS_H
 #include <stddef.h>
@@ -16,18 +16,19 @@ extern "C" {
 
 typedef enum tamis_status {
   TAMIS_OK = 0,
-  TAMIS_INVALID_ARGUMENT = 1, /**< a pointer that is NULL, a size or a place that cannot be */
+  TAMIS_INVALID_ARGUMENT = 1, /**< a pointer that is NULL, or a size or a place out of range */
   TAMIS_INVALID_MESH = 2,     /**< a topology that cannot be used */
   TAMIS_INVALID_STEP = 3,     /**< positions that do not fit the mesh, or are not finite */
   TAMIS_INVALID_OPTIONS = 4,  /**< an option outside its range, or an unknown name */
-  TAMIS_CANCELLED = 5,        /**< tamis_options.is_cancelled said so; the detector may be asked again */
-  TAMIS_BUSY = 6,             /**< the detector is answering another thread, or the filter's own caller */
+  TAMIS_CANCELLED = 5,        /**< is_cancelled ended the question; the detector may be asked again */
+  TAMIS_BUSY = 6, /**< the detector or world is still answering another question: of another thread, or of the filter's
+                     own caller */
   TAMIS_OUT_OF_MEMORY = 7,
   TAMIS_FAILED = 8,      /**< anything else */
-  TAMIS_INVALID_PATH = 9 /**< a path that does not fit, or breaks its promises */
+  TAMIS_INVALID_PATH = 9 /**< a path that does not fit the mesh, or breaks its promises */
 } tamis_status;
 
-/** As the project's version, "0.1.0". Never freed, as all strings that are returned. */
+/** The version of the library, such as "0.1.0". Never free it, nor any other string that is returned. */
 TAMIS_API const char* tamis_version(void);
 
 #ifdef __cplusplus

@@ -9,17 +9,17 @@
 namespace tamis::adapters {
 namespace {
 
-/// Of a gap. A pair that would touch after less than this stays: its distance must remain far above the 1e-15 by which
-/// the end of one step's path may differ from the start of the next.
+/// In gaps: if two bodies would touch after going less than this together, they stay. So their distance remains far
+/// above 1e-15, by which the end of one step's path may differ from the start of the next.
 constexpr double kLeastTravel = 1e-3;
-/// Of a gap. So does one that is known to be this near, and touches before it has gone a gap: its distance would be
-/// halved in each step, until it is less than what rounding to the engine's floats moves a body by (2^-24 of how far it
-/// is from the origin: of a gap of 1e-3, this much up to 800 units away). Farther away bodies stay more often; none
-/// passes.
+/// In gaps: a pair that is known to be this near stays, too, if it touches before it has gone a gap. Otherwise its
+/// distance would be halved in each step, until rounding to the engine's floats moves a body by more: by 2^-24 of its
+/// distance from the origin, which at 800 units is this part of a gap of 1e-3. Farther from the origin bodies stay more
+/// often; none passes through another.
 constexpr double kLeastDistance = 0.05;
-/// Of the step: no more is needed of a time before which bodies are stopped, nor of a way that they may go.
+/// In steps: the precision that suffices for the time of a contact, and for the part of its way that a body may go.
 constexpr double kTolerance = 1e-4;
-/// Over all approaches; more would only spare questions.
+/// Sweeps over all approaches; more sweeps would only save questions.
 constexpr int kMostSweeps = 32;
 
 bool collide_at(const WantedStep& step, const std::array<BodyId, 2>& bodies, const std::array<Index, 2>& vertices) {
@@ -51,8 +51,8 @@ class Clamp {
   }
 
  private:
-  /// At the approaches, in the first order: there and back through them, as followers have followers. The bodies whose
-  /// fractions change.
+  /// Shortens ways so that bodies keep apart at the approaches, to first order. It sweeps forwards and backwards
+  /// through the approaches, as followers have followers. Returns the bodies whose fractions change.
   std::set<BodyId> hold_back_followers() {
     std::set<BodyId> slower;
     bool changes = true;
@@ -147,7 +147,7 @@ class Clamp {
     });
   }
 
-  /// Which part of its way each of two bodies may go that touch at `time`.
+  /// The part of its way that each of two bodies may go if they touch at `time`.
   double part_before(const BodyPair& bodies, double time) const {
     double travel = 0;
     for (const BodyId body : bodies)
@@ -163,7 +163,7 @@ class Clamp {
   const ClampOptions& options_;
   std::vector<Approach> approaches_;
   std::map<BodyId, double> fractions_;
-  std::map<BodyId, double> travels_;  ///< bounds of how far any point of a body goes, of those that may move
+  std::map<BodyId, double> travels_;  ///< for each body of moving(), a bound of how far any of its points goes
 };
 
 }  // namespace

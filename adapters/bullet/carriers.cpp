@@ -6,10 +6,10 @@
 namespace tamis::bullet {
 namespace {
 
-/// Over the contacts of one body with those that carry it, of which it has few; the clamp holds back what they leave.
+/// Rounds over the contacts of one body with its carriers, which are few; the clamp holds back what these rounds leave.
 constexpr int kRounds = 20;
-/// Of what is missing to a gap, in one step: gaps are restored over some steps, as solvers do, so that a body is not
-/// pushed into what lies on it.
+/// The part of a missing gap that one step restores. As in solvers a gap is restored over some steps, so that a body is
+/// not pushed into what lies on it.
 constexpr btScalar kParted = 0.5F;
 
 /// The speed along `up` that an impulse of 1 along it gives to the body at `arm` from its origin.
@@ -23,7 +23,7 @@ void Carriers::Contact::push() {
   btVector3 speed = body->getVelocityInLocalPoint(arm);
   if (other) speed -= other->getVelocityInLocalPoint(other_arm);
   const btScalar give = give_of(*body, arm, up) + (other_gives ? give_of(*other, other_arm, up) : 0);
-  if (!(give > 0)) return;  // on an axle
+  if (!(give > 0)) return;  // a body on an axle
   const btScalar before = impulse;
   impulse = std::max(btScalar(0), before - (speed.dot(up) + allowed) / give);
   body->applyImpulse(up * (impulse - before), arm);
@@ -47,7 +47,7 @@ Carriers::Carriers(std::span<const NearContact> near, btScalar gap, btScalar sec
   find_levels();
 }
 
-/// Breadth first, from what stands; then from the heaviest of what nothing that stands carries.
+/// Breadth first, from the objects that stand; then, in each group without one, from its heaviest body.
 void Carriers::find_levels() {
   std::vector<std::size_t> roots(bodies_.size());
   for (std::size_t i = 0; i < roots.size(); ++i) roots[i] = i;
@@ -66,7 +66,7 @@ void Carriers::find_levels() {
       reached.push_back(i);
     };
     reach(*root, 0);
-    // All that stand, the first of `roots`, at once: a body is as high as the nearest of them says.
+    // All standing objects, the first of `roots`, are reached at once: a body's level counts from the nearest of them.
     for (auto next = root + 1; next != roots.end() && give(*next) < 0; ++next) reach(*next, 0);
     for (std::size_t next = 0; next < reached.size(); ++next) {
       const std::size_t i = reached[next];

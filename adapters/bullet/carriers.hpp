@@ -1,4 +1,4 @@
-// After Bullet's solver: what it has left of the speed with which bodies come down on those that carry them.
+// After Bullet's solver: takes the speed that it leaves between bodies and the bodies that carry them.
 #pragma once
 #include <functional>
 #include <span>
@@ -8,28 +8,28 @@
 
 namespace tamis::bullet {
 
-/// A body is carried by those near it that are fewer bodies away from what stands; where nothing stands, from the
-/// heaviest of its group. From there upwards each is pushed as if what carries it could not give way (where nothing
-/// stands it does, and their momentum stays). So a pile comes to rest however high it is: a solver that shares each
-/// impulse between two bodies needs as many rounds as the square of the height, and what it has not solved would be
-/// held back at ever smaller distances.
+/// The level of a body is how many bodies it is away from an object that stands; in a group without one, from its
+/// heaviest body. A body is carried by the bodies near it of lower levels. From the lowest level upwards, each body is
+/// pushed as if its carriers could not give way; in a group where nothing stands they do, which keeps its momentum. So a
+/// pile comes to rest however high it is. A solver that shares each impulse between two bodies needs as many rounds as
+/// the square of the height; the clamp would hold back what it leaves at ever smaller distances.
 class Carriers {
  public:
   Carriers(std::span<const NearContact> near, btScalar gap, btScalar seconds);
 
-  /// No body comes nearer than `gap` to what carries it, in the first order.
+  /// Takes the speed by which bodies would come nearer than `gap` to their carriers, to first order.
   void take_speed();
-  /// Calls `go` while bodies that are nearer than that have a speed by which they part, and only then: it is no speed
-  /// of theirs.
+  /// Calls `go` while bodies nearer than `gap` to their carriers have an additional speed by which they part.
+  /// Afterwards all bodies have their speeds of before.
   void part(const std::function<void()>& go);
 
  private:
   struct Contact {
     btRigidBody* body;
-    btRigidBody* other;        ///< none: what has no speed
+    btRigidBody* other;        ///< NULL if it has no speed
     std::size_t other_at;      ///< among bodies_
-    btVector3 arm, other_arm;  ///< from the origins
-    btVector3 up;              ///< from the other to the body
+    btVector3 arm, other_arm;  ///< from the bodies' origins to the contact
+    btVector3 up;              ///< unit vector from the other to the body
     btScalar above_gap;        ///< the distance, less the gap
     btScalar allowed = 0;      ///< how fast the body may come nearer
     btScalar impulse = 0;
@@ -40,7 +40,7 @@ class Carriers {
   struct Body {
     btCollisionObject* object;
     std::vector<Contact> contacts;
-    int level = -1;  ///< how many bodies away from what stands
+    int level = -1;  ///< -1 until it is known
   };
 
   void find_levels();
@@ -49,7 +49,7 @@ class Carriers {
 
   btScalar seconds_;
   std::vector<Body> bodies_;
-  std::vector<std::size_t> order_;  ///< those that are carried, from below
+  std::vector<std::size_t> order_;  ///< bodies that are carried; in each group by ascending level
 };
 
 }  // namespace tamis::bullet

@@ -22,8 +22,8 @@ BodyMotion motion_at(const btCollisionObject& object, const Pose& pose) {
   return object.isStaticObject() || !object.isActive() ? BodyMotion(Static{pose}) : adapters::resting(pose);
 }
 
-/// Motion states go back from the end of a step by what they are told of the speed: it must be that of the way that was
-/// proven, not the one with which a body that was held back wants to go on.
+/// Bullet's motion states interpolate back from the end of a step by these velocities. They must be those of the proven
+/// way, not those with which a body that was held back wants to go on.
 void show_way(btRigidBody& body, const btTransform& start, const btTransform& end, btScalar seconds) {
   btVector3 speed, turning;
   btTransformUtil::calculateVelocity(start, end, seconds, speed, turning);
@@ -33,8 +33,8 @@ void show_way(btRigidBody& body, const btTransform& start, const btTransform& en
 
 }  // namespace
 
-/// How a body is to move in one step, of which a part can be asked for. Bullet's solver may have moved it already, out
-/// of a margin that it was deep in (split impulse): that is part of the way, which begins where the last step ended.
+/// The way of a body in one step; `at` returns places on it. It begins where the last step ended: Bullet's solver may
+/// have moved the body since, out of a margin that it was deep in (split impulse), and that is part of the way.
 class ClampedWorld::Way {
  public:
   Way(const btTransform& start, const btTransform& end) : start_(start), end_(end) {
@@ -61,7 +61,8 @@ class ClampedWorld::Way {
 class ClampedWorld::Step final : public adapters::WantedStep {
  public:
   Step(const ClampedWorld& world, btScalar seconds) : world_(world) {
-    const btAlignedObjectArray<btRigidBody*>& all = world.getNonStaticRigidBodies();  // as they were when added
+    const btAlignedObjectArray<btRigidBody*>& all =
+        world.getNonStaticRigidBodies();  // those that were not static when added
     std::set<const btCollisionObject*> may_move;
     for (int i = 0; i < all.size(); ++i) may_move.insert(all[i]);
     for (const auto& [id, member] : world.members_) {
@@ -177,7 +178,8 @@ void ClampedWorld::forget_limits_of(BodyId id) {
   std::erase_if(limits_, [&](const BodyContact& limit) { return std::ranges::count(limit.bodies, id) > 0; });
 }
 
-/// What was moved, given another shape or a changed one, or made solid from outside since the last step.
+/// Updates all objects that, since the last step, were moved from outside, got another or a changed shape, or became
+/// solid.
 void ClampedWorld::follow() {
   std::map<const btCollisionShape*, std::vector<btScalar>> traits;
   std::set<const btCollisionObject*> followed;
@@ -197,7 +199,7 @@ void ClampedWorld::follow() {
     if (object->hasContactResponse() && !followed.contains(object)) join(object, known(object->getCollisionShape()));
   }
   for (btCollisionObject* const object : changed)
-    take_anew(object, known(object->getCollisionShape()));  // who is refused stays as it was: no step goes on
+    take_anew(object, known(object->getCollisionShape()));  // a refused object stays as it was: the step ends here
 }
 
 bool ClampedWorld::collides(const adapters::BodyPair& bodies) const {

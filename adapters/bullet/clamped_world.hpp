@@ -11,16 +11,17 @@
 
 namespace tamis::bullet {
 
-/// Use it in place of btDiscreteDynamicsWorld; all else stays as it is. Rigid bodies of any kind take part, and fixed
-/// collision objects, each with the mesh of its shape (`mesh_of`).
+/// Use it in place of btDiscreteDynamicsWorld; all else stays as it is. Rigid bodies of any kind and fixed collision
+/// objects take part, each with the mesh of its shape (`mesh_of`).
 ///
-/// The last part of Bullet's step, integrateTransforms, is where it says how each body is to move; there bodies are
-/// held back (adapters/clamp.hpp). The tick callback comes too late, when bodies are already elsewhere and islands may
-/// have gone to sleep. Bullet's own narrow phase does not see every contact of meshes, and boxes only once they
-/// overlap, so that bodies would be held back for ever and gather speed. Two kinds of predictive contacts are therefore
-/// added, on which the solver keeps bodies one gap apart: pairs within two gaps, and what held bodies back in the last
-/// step (a plate that spins on its edge comes down on another one). What the solver has not solved of the former is
-/// taken from the bodies after it (Carriers). So bodies that lie on each other are held back only while they come near.
+/// Bodies are held back (adapters/clamp.hpp) in integrateTransforms, the last part of Bullet's step, which decides how
+/// each body moves. The tick callback comes too late: bodies have moved by then, and islands may have gone to sleep.
+///
+/// Bullet's own narrow phase does not see every contact of meshes, and sees those of boxes only once they overlap;
+/// bodies would be held back for ever and gather speed. So two kinds of predictive contacts are added, at which the
+/// solver keeps bodies one gap apart: pairs within two gaps, and the contacts that held bodies back in the last step (a
+/// plate that spins on its edge comes down on another one). At the former, the speed that the solver leaves is taken
+/// from the bodies afterwards (Carriers). So bodies that lie on each other are held back only while they come near.
 class ClampedWorld : public btDiscreteDynamicsWorld {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -29,8 +30,8 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   ClampedWorld(btDispatcher* dispatcher, btBroadphaseInterface* broadphase, btConstraintSolver* solver,
                btCollisionConfiguration* configuration, adapters::ClampOptions options = {}, int threads = 1);
 
-  /// The mesh of a shape that has none of its own, or another than its own: for bodies that have it, and that are added
-  /// with it. Again where the shape is changed (`traits_of`).
+  /// Gives a mesh to a shape that has none, or replaces its own: for bodies that have the shape already, and for those
+  /// added later. Call it again when the shape is changed (`traits_of`).
   void set_mesh(const btCollisionShape& shape, const Shape& mesh);
 
   /// Throw InvalidMesh where a shape has no mesh; the object is not added then.
@@ -39,7 +40,7 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   void removeCollisionObject(btCollisionObject* object) override;
   void removeRigidBody(btRigidBody* body) override;
 
-  /// Of the last step: bodies in the order of their numbers, and which part of its way each that wanted to move went.
+  /// The last step: bodies that wanted to move, in the order of their numbers, and which part of its way each went.
   struct LastStep {
     std::vector<std::pair<const btRigidBody*, double>> moved;
     int questions = 0;            ///< as in ClampedStep
@@ -62,8 +63,8 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   struct Member {
     btCollisionObject* object;
     KnownShape shape;
-    btTransform place;  ///< where the world of bodies has it
-    bool is_active;     ///< as the world of bodies has it: what sleeps is Static there, and costs nothing
+    btTransform place;  ///< where `bodies_` has it
+    bool is_active;     ///< as `bodies_` has it: a body that sleeps is Static there, and costs nothing
   };
   class Way;
   class Step;
@@ -80,7 +81,7 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   bool collides(const adapters::BodyPair& bodies) const;
   NearFeature feature_of(BodyId body, std::span<const Index> vertices, std::span<const double> weights,
                          double sign) const;
-  /// `is_now`: near where the bodies are; otherwise on their ways of the last step.
+  /// `is_now`: the pair is near where the bodies are now; otherwise it was a contact on the ways of the last step.
   template <class Pair>
   void find_near(const Pair& pair, const Point& direction, bool is_now, SolverContacts& for_solver);
 
@@ -89,9 +90,10 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   std::map<BodyId, Member> members_;
   std::map<const btCollisionShape*, KnownShape> given_;  ///< by set_mesh
   std::set<adapters::BodyPair> overlapping_;
-  std::vector<BodyContact> limits_;                 ///< of the last step
-  std::vector<NearContact> near_;                   ///< when this step began
-  std::map<adapters::BodyPair, double> distances_;  ///< then, of these and of near pairs that push sidewards
+  std::vector<BodyContact> limits_;  ///< of the last step
+  std::vector<NearContact> near_;    ///< near pairs at the start of this step
+  std::map<adapters::BodyPair, double>
+      distances_;  ///< at the start of this step; also of near pairs that would push sideways
   LastStep last_step_;
 };
 

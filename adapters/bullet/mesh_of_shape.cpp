@@ -10,7 +10,7 @@
 namespace tamis::bullet {
 namespace {
 
-/// Triangles, with one vertex for all that are at the same place.
+/// The triangles of a shape, with one vertex for all corners at one place.
 class Gathered : public btTriangleCallback {
  public:
   void add(const btCollisionShape& shape, const btTransform& place) {
@@ -55,7 +55,7 @@ class Gathered : public btTriangleCallback {
     for (int i = 0; i < shape.getNumVertices(); ++i) shape.getVertex(i, corners[static_cast<std::size_t>(i)]);
     btConvexHullComputer hull;
     hull.compute(corners.empty() ? nullptr : &corners[0].x(), sizeof(btVector3), shape.getNumVertices(), 0, 0);
-    // The computer rounds its vertices to a grid: those it was given are taken in their place.
+    // The hull computer rounds its vertices to a grid: take the corners that it was given instead.
     const auto corner = [&](int vertex) {
       return corners[static_cast<std::size_t>(hull.original_vertex_index[vertex])];
     };
@@ -96,7 +96,8 @@ void add_corners(const btPolyhedralConvexShape& shape, std::vector<btScalar>& tr
 void add_box(const btCollisionShape& shape, std::vector<btScalar>& traits) {
   btVector3 low, high;
   shape.getAabb(btTransform::getIdentity(), low, high);
-  const btScalar around = shape.isConcave() ? shape.getMargin() : btScalar(0);  // that of a round shape is its radius
+  const btScalar around =
+      shape.isConcave() ? shape.getMargin() : btScalar(0);  // the margin of a round shape is its radius
   add(low + btVector3(around, around, around), traits);
   add(high - btVector3(around, around, around), traits);
 }

@@ -10,8 +10,9 @@
 namespace tamis::bullet {
 namespace {
 
-/// A sine: faces that lead no more than this towards the other body still lead away. Bodies that lie on each other,
-/// within two gaps, are tilted by no more than two gaps over their size: by this if they are twenty gaps large.
+/// A sine: faces that lean towards the other body by no more than this still count as leading away. Bodies that lie on
+/// each other within two gaps are tilted by at most two gaps over their size, which is this sine if they are twenty
+/// gaps large.
 constexpr btScalar kLeadsAway = 0.1F;
 /// Weights below this belong to vertices on which the nearest point does not lie.
 constexpr double kNoWeight = 1e-6;

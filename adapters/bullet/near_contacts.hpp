@@ -1,4 +1,4 @@
-// Where bodies are near each other, as Bullet's solver is told.
+// Pairs of features near each other, and the contact points that Bullet's solver gets for them.
 #pragma once
 #include <btBulletDynamicsCommon.h>
 
@@ -17,7 +17,7 @@ inline bool moves(const btCollisionObject& object) {
 /// One body of a near pair.
 struct NearSide {
   btCollisionObject* object;
-  btVector3 local;  ///< its point, in its own frame
+  btVector3 local;  ///< the point of this body, in its own frame
 
   btVector3 point() const { return object->getWorldTransform() * local; }
 };
@@ -25,21 +25,21 @@ struct NearSide {
 struct NearContact {
   adapters::BodyPair bodies;
   std::array<NearSide, 2> sides;
-  btVector3 normal;  ///< of length 1, from the second to the first
+  btVector3 normal;  ///< unit vector from the second to the first
 
   btScalar distance() const { return (sides[0].point() - sides[1].point()).dot(normal); }
 };
 
-/// What bodies of one shape share.
+/// The mesh that bodies of one shape share.
 struct Surface {
   explicit Surface(const Shape& shape);
 
   Shape mesh;
-  double radius;                             ///< how far its points are from the origin, at most
-  std::vector<std::vector<Index>> faces_at;  ///< of each vertex
+  double radius;                             ///< the largest distance of its points from the origin
+  std::vector<std::vector<Index>> faces_at;  ///< for each vertex the faces that it belongs to
 };
 
-/// A feature of a body: of a near pair, the vertices of one side, with the weights of the point that is nearest.
+/// One feature of a near pair: its vertices, with the weights of its nearest point.
 struct NearFeature {
   btCollisionObject* object;
   const Surface& surface;
@@ -47,23 +47,24 @@ struct NearFeature {
   std::vector<double> weights;
 
   NearSide side() const;
-  /// Do the faces around the point lead away from what is beyond it in the direction `outward` (of the world), but for
-  /// a few degrees? If not, a point beside it is nearer, and this is no direction in which to push: two edges of boxes
-  /// that lie exactly on each other would push sidewards, and so would an edge between two coplanar faces.
+  /// Do the faces around the point lead away from the direction `outward` (in the world's frame), up to a few degrees?
+  /// If not, a point beside it is nearer, and `outward` is no direction in which to push: two edges of boxes that lie
+  /// exactly on each other would push sideways, and so would an edge between two coplanar faces.
   bool is_nearest(const btVector3& outward) const;
 };
 
-/// Bullet's contact points of near pairs, anew in each step; those of two objects share a manifold. The solver begins
-/// with the impulses with which it has ended in the last step, as it does for Bullet's own contacts: a pile needs more
-/// rounds than one step has.
+/// Contact points of near pairs for Bullet's solver, made anew in each step; those of two objects share a manifold. The
+/// solver begins with the impulses with which it ended in the last step, as for Bullet's own contacts: a pile needs
+/// more rounds than one step has.
 class SolverContacts {
  public:
   using Manifolds = btAlignedObjectArray<btPersistentManifold*>;
 
-  /// `last`: manifolds of the last step, read here only.
+  /// `last`: manifolds of the last step; read by the constructor only.
   SolverContacts(btDispatcher& dispatcher, const Manifolds& last);
 
-  /// The solver keeps these `gap` apart. Adds to `all` a manifold that is needed for it.
+  /// Adds a contact at which the solver keeps the bodies `gap` apart; appends to `all` the manifold that is made for
+  /// it, if any.
   void add(const NearContact& contact, btScalar gap, Manifolds& all);
   void start_warm();
 

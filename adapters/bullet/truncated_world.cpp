@@ -37,13 +37,14 @@ Mesh mesh_of(const btSoftBody& body) {
 
 namespace {
 
-/// Of each distance, as is Detector::truncate's default.
+/// The fraction of each distance that is kept; Detector::truncate's default.
 constexpr double kKept = 0.1;
-/// Questions after the first.
+/// How many further questions `way_towards` may ask.
 constexpr int kMore = 3;
 
-/// Where a contact stops some vertices early, all others go but a quarter of an edge farther in one question. What is
-/// gained by more is taken if the straight way there is free, too.
+/// Returns positions on the way from start to end. If a contact stops some vertices early, one question lets all others
+/// go only a quarter of an edge farther. Further questions let them go on; their gain counts if the straight way from
+/// the start to there is free, too.
 std::vector<Point> way_towards(Detector& detector, const std::vector<Point>& start, const std::vector<Point>& end) {
   const auto truncated = [&](const std::vector<Point>& from) {
     return detector.truncate({from, end}, kKept, {.at_start = AtStart::ignore}, Stored::float32).positions;

@@ -9,7 +9,7 @@
 
 namespace tamis::bullet {
 
-/// Triangles, and links that lead to no triangle at one end at least: ropes. Bending links are none.
+/// The triangles of a soft body, and its links with at least one end in no triangle: ropes. Bending links do not count.
 struct SoftFeatures {
   std::vector<Face> faces;
   std::vector<Edge> edges;
@@ -18,19 +18,20 @@ struct SoftFeatures {
 SoftFeatures features_of(const btSoftBody& body);
 
 /// Use it in place of btDeformableMultiBodyDynamicsWorld; all else stays as it is. After Bullet has moved the vertices
-/// of a soft body, they are put where Detector::truncate says: on their straight ways there no two features of that
-/// body touch. Who is held back loses the speed that it could not use. Bullet's repulsion stays, and keeps the layers
-/// apart; what it misses is stopped here. A soft body against another, and against rigid ones, is Bullet's.
+/// of a soft body, each is put at its position from Detector::truncate: on the straight ways there no two features of
+/// that body touch. A vertex that is held back loses the speed that it could not use. Bullet's repulsion stays, and
+/// keeps layers apart; contacts that it misses are stopped here. Bullet alone handles a soft body against another one
+/// and against rigid bodies.
 class TruncatedWorld : public btDeformableMultiBodyDynamicsWorld {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
   using btDeformableMultiBodyDynamicsWorld::btDeformableMultiBodyDynamicsWorld;
 
-  /// Of the last step: vertices that were held back.
+  /// How many vertices were held back in the last step.
   int held_back() const { return held_back_; }
 
  protected:
-  /// The first part of a step: after the callback before it, which may have added bodies.
+  /// The first part of a step. It runs after the callback before the step, which may have added bodies.
   void predictUnconstraintMotion(btScalar seconds) override;
   void integrateTransforms(btScalar seconds) override;
 
@@ -46,7 +47,7 @@ class TruncatedWorld : public btDeformableMultiBodyDynamicsWorld {
   int held_back_ = 0;
 };
 
-/// Where its vertices are, in the order of Bullet's nodes.
+/// The positions of a body's vertices, in the order of Bullet's nodes.
 std::vector<Point> positions_of(const btSoftBody& body);
 Mesh mesh_of(const btSoftBody& body);
 

@@ -1,4 +1,4 @@
-// A Bullet world with one fixed mesh and one body that flies, in any of the ways that Bullet has for it.
+// A Bullet world with one fixed mesh and one flying body, simulated by any of Bullet's methods or clamped.
 #pragma once
 #include <btBulletDynamicsCommon.h>
 
@@ -16,7 +16,7 @@ struct Triangles {
   std::vector<Face> faces;
 };
 
-/// Where bodies are: of each time, of each body.
+/// places[i][b]: the transform of body b at time i.
 using Places = std::vector<std::vector<btTransform>>;
 
 /// A box around the origin.
@@ -24,24 +24,24 @@ Triangles box(const Point& half_extents);
 /// cells x cells squares of two triangles each, at z = 0 around the origin.
 Triangles wall(int cells, double half_side);
 
-/// How the body that flies is made, and who looks after it.
+/// The shape of the flying body, and what stops it.
 enum class Method { hull, hull_ccd, mesh, clamped_hull, clamped_mesh };
 std::string_view name_of(Method method);
 
-/// How it is thrown, and how often is looked.
+/// How the body is thrown, and the steps that are simulated.
 struct Throw {
   Point position, velocity, spin;  ///< m, m/s, rad/s
   int steps;
   double seconds;        ///< of each step
-  bool on_axle = false;  ///< it can but turn about z
+  bool on_axle = false;  ///< the body can only turn about z
 };
 
 struct Flight {
   std::vector<btTransform> places;  ///< steps + 1
-  double milliseconds = 0;          ///< of the processor, for all steps
+  double milliseconds = 0;          ///< processor time of all steps
 };
 
-/// What stands, and what flies. No gravity; the mass is 1.
+/// The fixed mesh and the flying body. No gravity; the mass is 1.
 class Arena {
  public:
   Arena(Triangles fixed, Triangles flying, double swept_radius);

@@ -19,7 +19,8 @@ namespace {
 
 constexpr btScalar kStep = 1.0F / 240;
 
-/// As pybullet makes one by loadSoftBody with springs of stiffness 40, bending springs of 0.1, and self-collision.
+/// The cloth that pybullet makes by loadSoftBody with springs of stiffness 40, bending springs of 0.1, and
+/// self-collision.
 class FallingCloth {
  public:
   FallingCloth(int side, bool truncated) {
@@ -51,7 +52,7 @@ class FallingCloth {
   const btSoftBody& cloth() const { return *cloth_; }
 
  private:
-  /// As pybullet does, in place of Bullet's defaults.
+  /// Sets pybullet's parameters in place of Bullet's defaults.
   static void set_solver(btContactSolverInfo& solver) {
     solver.m_erp2 = 0.08F;
     solver.m_frictionERP = 0.2F;

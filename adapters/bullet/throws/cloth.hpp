@@ -10,14 +10,14 @@ namespace tamis::bullet {
 struct ClothRun {
   Mesh mesh;
   std::vector<std::vector<Point>> frames;  ///< steps + 1
-  double milliseconds = 0;                 ///< of the processor, a step
+  double milliseconds = 0;                 ///< processor time of a step
 };
 
-/// A square of one metre, with `side` vertices a side and Bullet's own self-collision, falls on a ball and a floor;
-/// steps of 1/240 s. `truncated`: in a TruncatedWorld. REQUIRES: side >= 2, steps >= 1.
+/// Simulates a square cloth of one metre with `side` vertices a side and Bullet's own self-collision, which falls on a
+/// ball and a floor, in steps of 1/240 s. `truncated`: in a TruncatedWorld. REQUIRES: side >= 2, steps >= 1.
 ClothRun run_cloth(int side, int steps, bool truncated);
 
-/// Steps in which the cloth touches itself, all vertices going straight: a Detector of its own says so.
+/// The number of steps in which the cloth touches itself if all vertices go straight, by a Detector of its own.
 int touching_steps(const ClothRun& run);
 
 }  // namespace tamis::bullet

@@ -19,7 +19,8 @@ double volume(const Point& a, const Point& b, const Point& c, const Point& d) {
   return u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
 }
 
-/// From one of Bullet's places to another, origin straight, at constant speed about a fixed axis (Rodrigues' formula).
+/// The motion from one of Bullet's transforms to another: origin straight, turn at constant speed about a fixed axis
+/// (Rodrigues' formula).
 class Turning {
  public:
   Turning(const btTransform& from, const btTransform& to)
@@ -28,7 +29,7 @@ class Turning {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) turn[i][j] = dot(point_of(to.getBasis()[i]), point_of(from.getBasis()[j]));
     axis_ = {turn[2][1] - turn[1][2], turn[0][2] - turn[2][0], turn[1][0] - turn[0][1]};
-    const double sine = std::sqrt(dot(axis_, axis_));  // twice, as are the axis and the cosine
+    const double sine = std::sqrt(dot(axis_, axis_));  // sine, axis and cosine are all twice as large here
     angle_ = std::atan2(sine, turn[0][0] + turn[1][1] + turn[2][2] - 1);
     for (double& x : axis_) x = sine > 0 ? x / sine : 0;
   }
@@ -87,7 +88,7 @@ int touching_steps(std::span<const Triangles> bodies, const Places& places) {
     body_of_vertex.resize(points.size(), static_cast<Index>(body));
     for (const Face& face : bodies[body].faces) faces.push_back({face[0] + first, face[1] + first, face[2] + first});
   }
-  // As Bullet has them.
+  // Bullet keeps floats.
   for (Point& p : points)
     for (double& x : p) x = static_cast<btScalar>(x);
   Detector detector(Mesh(static_cast<Index>(points.size()), faces),

@@ -1,5 +1,5 @@
-// How many throws each way of simulating lets through, whether that is proven, and what a step costs; the same of a
-// pile.
+// For each method of simulating: how many throws it lets through, how many are not proven free, and the cost of a step;
+// the same for a pile and a cloth.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
       tamis::bullet::report("Spinning plates", tamis::bullet::spinning_plates(count), samples, out);
       tamis::bullet::report("Spinning rods", tamis::bullet::spinning_rods(count), samples, out);
     }
-  } catch (const std::exception& refused) {  // a folder or a file that cannot be written
+  } catch (const std::exception& refused) {  // such as a file that cannot be written
     fmt::print(stderr, "tamis-bullet: {}\n", refused.what());
     return 2;
   }

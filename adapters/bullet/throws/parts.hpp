@@ -1,4 +1,4 @@
-// What a Bullet world needs around it.
+// A Bullet world with the objects that it needs.
 #pragma once
 #include <btBulletDynamicsCommon.h>
 
@@ -7,7 +7,7 @@
 namespace tamis::bullet {
 
 struct Parts {
-  /// Without gravity; a ClampedWorld, or Bullet as it is.
+  /// The world has no gravity. `clamped`: it is a ClampedWorld, otherwise Bullet's own.
   explicit Parts(bool clamped);
 
   btDefaultCollisionConfiguration configuration;

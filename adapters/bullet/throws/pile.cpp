@@ -11,7 +11,7 @@ namespace {
 
 constexpr btScalar kThickness = 0.005F;
 
-/// What lies on what, the floor first.
+/// A floor and the plates above it.
 class Pile {
  public:
   Pile(int plates, btScalar drop, bool clamped) : parts_(clamped) {
@@ -28,7 +28,7 @@ class Pile {
   Pile(const Pile&) = delete;
   Pile& operator=(const Pile&) = delete;
 
-  /// How many questions the clamp took.
+  /// Returns how many questions the clamp asked; 0 without it.
   int step() {
     parts_.world->stepSimulation(1.0F / 60, 1, 1.0F / 60);
     const auto* const clamped = dynamic_cast<const ClampedWorld*>(parts_.world.get());

@@ -8,7 +8,7 @@
 namespace tamis::bullet {
 namespace {
 
-/// The same numbers with every standard library.
+/// Random numbers that are the same with every standard library.
 class Random {
  public:
   double between(double lower, double upper) {
@@ -22,7 +22,7 @@ class Random {
   std::mt19937 engine_{1};
 };
 
-/// About z, added up over the steps.
+/// The angle by which the body turns about z, added up over the steps.
 double turned_by(const Flight& flight) {
   double turned = 0;
   for (std::size_t step = 0; step + 1 < flight.places.size(); ++step) {

@@ -1,4 +1,4 @@
-/* adapters/clamp.hpp for other languages: on top of the C interface, and in one library with it. */
+/* adapters/clamp.hpp for other languages: an addition to the C interface, in one library with it. */
 #ifndef TAMIS_ADAPTERS_CLAMP_H
 #define TAMIS_ADAPTERS_CLAMP_H
 #include "tamis/tamis.h"
@@ -7,31 +7,34 @@
 extern "C" {
 #endif
 
-/** A step that an engine wants to make: tamis::adapters::WantedStep. `user` is handed to each function. */
+/** A step that an engine wants to make; members as in tamis::adapters::WantedStep and ClampOptions. `user` is passed to
+ * each function. */
 typedef struct tamis_wanted_step {
   size_t size;
   void* user;
-  const int32_t* moving; /**< bodies that may be held back, each once; all others stay as tamis_world_move says */
+  const int32_t*
+      moving; /**< bodies that are to move and may be held back, each once; all others stay as tamis_world_move says */
   size_t moving_count;
-  /** Writes where a body is after this part of its way, as the engine keeps it. */
+  /** Writes the pose of a body after `fraction` of its way, in [0, 1], rounded as the engine will keep it. */
   void (*pose)(void* user, int32_t body, double fraction, tamis_pose* pose);
   double (*radius)(void* user, int32_t body);
   int (*collides)(void* user, int32_t first, int32_t second); /**< the smaller number first */
   double gap;
   int32_t rounds;
-  /** Of two that it collides: at these vertices of their shapes, too? For bodies of several parts. NULL: everywhere. */
+  /** Does the engine collide two bodies, for which `collides` is true, at these vertices of their shapes? For bodies of
+   * several parts. NULL: it does everywhere. */
   int (*collides_at)(void* user, int32_t first, int32_t first_vertex, int32_t second, int32_t second_vertex);
 } tamis_wanted_step;
 
 typedef struct tamis_clamped {
-  int32_t questions;  /**< 1 where nobody is held back */
-  size_t overlapping; /**< pairs of bodies that overlap at the start, which are not held back because of each other */
+  int32_t questions;  /**< 1 if no body is held back */
+  size_t overlapping; /**< pairs of bodies that overlap at the start; they are not held back because of each other */
 } tamis_clamped;
 
-/** tamis::adapters::clamp, for the pairs that overlap where the bodies are at t=0. Writes which part of its way each of
- * `moving` may go; tamis_world_copy_contacts then hands out `contact_count` contacts that held bodies back.
- * TAMIS_INVALID_ARGUMENT: a function that is NULL; TAMIS_INVALID_OPTIONS: `gap` or `rounds` out of range, a body that
- * is not there. */
+/** tamis::adapters::clamp; the excepted pairs are those that overlap at t=0. Writes for each body of `moving` the
+ * fraction of its way that it may go, and the number of contacts that held bodies back, which tamis_world_copy_contacts
+ * copies. TAMIS_INVALID_ARGUMENT: a function is NULL. TAMIS_INVALID_OPTIONS: `gap` or `rounds` is out of range, or a
+ * body does not exist. */
 TAMIS_API tamis_status tamis_world_clamp(tamis_world* world, const tamis_wanted_step* step, double* fractions,
                                          size_t* contact_count, tamis_clamped* clamped);
 

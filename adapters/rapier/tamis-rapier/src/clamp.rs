@@ -7,23 +7,23 @@ use rapier3d::prelude::*;
 use std::collections::{BTreeMap, HashMap};
 use tamis::{BodyId, ClampOptions, Error, Shape, WantedStep, World};
 
-/// What became of one step.
+/// What the clamp did in one step.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Step {
-    /// Bodies that were held back, and which part of their way they went.
+    /// Bodies that were held back, and the fraction of its way that each went.
     pub held: Vec<(RigidBodyHandle, f64)>,
-    /// Questions that this took; 1 where nobody was held back.
+    /// How many questions were asked; 1 if no body was held back.
     pub questions: i32,
-    /// Pairs of bodies that overlapped when the step began: rapier parts them as ever, they are not held back because of
-    /// each other.
+    /// The number of pairs of bodies that overlapped when the step began. They are not held back because of each other:
+    /// rapier parts them as it always does.
     pub overlapping: usize,
-    /// Bodies that came to the step, or left it, with a speed that is more than half a turn a step
-    /// (`allow_fast_rotation`). Two poses do not show that: the way of these that is proven is the shorter one.
+    /// Bodies that began or ended the step with a speed of more than half a turn a step (`allow_fast_rotation`). Their
+    /// two poses do not show so large a turn: the proof is about the shorter way.
     pub turned_too_far: Vec<RigidBodyHandle>,
 }
 
-/// Holds back what rapier moves, so that no body passes through another. For one world; it keeps the triangles of the
-/// colliders there, and notices what is added, removed, moved or changed between two steps.
+/// Holds back the bodies that rapier moves, so that none passes through another. Serves one world: it keeps the
+/// triangles of that world's colliders, and notices what is added, removed, moved or changed between two steps.
 pub struct Clamp {
     world: World,
     options: ClampOptions,
@@ -33,14 +33,14 @@ pub struct Clamp {
     turns: BTreeMap<Owner, (RigidBodyHandle, f64)>,
 }
 
-/// By `set_mesh`: for the shape that the collider has when a step sees it first, and for no other.
+/// A mesh given by `set_mesh`. It is for the shape that the collider has when a step first sees it, and for no other.
 struct Given {
     mesh: Mesh,
     shape: Option<SharedShape>,
 }
 
 impl Clamp {
-    /// By so many threads; 0: as many as there are.
+    /// `threads`: how many threads answer questions; 0: as many as there are.
     pub fn new(options: ClampOptions, threads: i32) -> Result<Clamp, Error> {
         Ok(Clamp {
             world: World::new(threads)?,
@@ -52,14 +52,14 @@ impl Clamp {
         })
     }
 
-    /// The triangles of a collider whose shape has none, a ball's for one, in the collider's frame. They serve as long
-    /// as the collider has the shape that it has in the next step: whoever changes it gives new ones.
+    /// Gives triangles, in the collider's frame, to a collider whose shape has none, such as a ball. They are used as
+    /// long as the collider has the shape that it has in the next step; after a change of shape give new ones.
     pub fn set_mesh(&mut self, collider: ColliderHandle, points: &[[f64; 3]], faces: &[[i32; 3]]) {
         let points = points.iter().map(|&p| DVec3::from_array(p)).collect();
         self.given.insert(collider, Given { mesh: Mesh { points, faces: faces.to_vec() }, shape: None });
     }
 
-    /// One step of rapier, in which nothing passes through anything. Refuses colliders without triangles, before
+    /// Makes one step of rapier in which no body passes through another. Refuses colliders without triangles, before
     /// anything has moved.
     pub fn step(&mut self, physics: &mut PhysicsWorld) -> Result<Step, Error> {
         self.before(&physics.bodies, &physics.colliders)?;
@@ -73,7 +73,7 @@ impl Clamp {
         )
     }
 
-    /// For who calls the pipeline: what there is, and where, before it makes its step.
+    /// For callers of rapier's pipeline, before its step: reads which bodies there are, and where.
     pub fn before(&mut self, bodies: &RigidBodySet, colliders: &ColliderSet) -> Result<(), Error> {
         let mut present = contents_of(bodies, colliders);
         self.turns = fast_turns(bodies);
@@ -98,7 +98,7 @@ impl Clamp {
         Ok(())
     }
 
-    /// The same after it: holds bodies back.
+    /// For callers of rapier's pipeline, after its step: holds bodies back.
     pub fn after(
         &mut self,
         parameters: &IntegrationParameters,
@@ -163,7 +163,7 @@ impl Clamp {
         Ok(())
     }
 
-    /// At rest there.
+    /// Tells the world that the body is at rest at this pose.
     fn put(&mut self, id: BodyId, pose: Pose) -> Result<(), Error> {
         let Some(member) = self.members.get_mut(&id).filter(|member| member.pose != pose) else { return Ok(()) };
         member.pose = pose;
@@ -171,7 +171,7 @@ impl Clamp {
     }
 }
 
-/// How fast bodies turn that may do so by more than pi/4 in a step, in radians a second.
+/// The turning speed, in radians a second, of each body that may turn by more than pi/4 in a step.
 fn fast_turns(bodies: &RigidBodySet) -> BTreeMap<Owner, (RigidBodyHandle, f64)> {
     let turns = |(handle, body): (RigidBodyHandle, &RigidBody)| {
         let (index, generation) = handle.into_raw_parts();
@@ -180,7 +180,7 @@ fn fast_turns(bodies: &RigidBodySet) -> BTreeMap<Owner, (RigidBodyHandle, f64)> 
     bodies.iter().filter(|(_, body)| body.is_dynamic() && body.is_fast_rotation_allowed()).map(turns).collect()
 }
 
-/// Half a turn, less a hundredth: a step changes the speed.
+/// In radians: half a turn less a hundredth, as the speed changes during a step.
 const MOST_TURN: f64 = 0.99 * std::f64::consts::PI;
 
 impl Given {
@@ -214,7 +214,7 @@ impl WantedStep for Wanted<'_> {
 
     fn pose(&self, body: BodyId, fraction: f64) -> tamis::Pose {
         let way = &self.ways[&body];
-        // What is not finite is refused by the question.
+        // The question refuses numbers that are not finite.
         pose_of(&way.at(fraction), way.centre).unwrap_or(NOWHERE)
     }
 

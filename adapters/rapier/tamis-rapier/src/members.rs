@@ -1,4 +1,4 @@
-//! What takes part in contacts, and what of it moves as a whole.
+//! The members of the world of Tamis: bodies and colliders that take part in contacts, each of which moves as a whole.
 use crate::mesh::double;
 use crate::way::pose_of;
 use glamx::DVec3;
@@ -7,7 +7,7 @@ use rapier3d::prelude::*;
 use std::collections::BTreeMap;
 use tamis::{Error, Link, Motion};
 
-/// What moves as a whole, by the parts of its handle: a body, or a collider without one.
+/// Names what moves as a whole by the parts of its handle: a body, or a collider without a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Owner {
     Body(u32, u32),
@@ -23,7 +23,7 @@ impl Owner {
     }
 }
 
-/// A collider of a member. The shape is held, so that rapier cannot change it in its place.
+/// A collider of a member. It holds the shape, so that rapier cannot change the shape in place.
 pub struct Part {
     pub collider: ColliderHandle,
     pub shape: SharedShape,
@@ -36,7 +36,7 @@ impl PartialEq for Part {
     }
 }
 
-/// What a member is made of.
+/// The colliders of a member, and how it moves.
 #[derive(PartialEq)]
 pub struct Content {
     pub parts: Vec<Part>,
@@ -48,9 +48,9 @@ pub struct Member {
     pub owner: Owner,
     pub content: Content,
     pub radius: f64,
-    /// Of each part, the number of its first vertex.
+    /// For each part, the number of its first vertex.
     pub first_vertices: Vec<i32>,
-    /// Where the world of Tamis has it.
+    /// The pose that the world of Tamis has.
     pub pose: Pose,
 }
 
@@ -61,12 +61,12 @@ impl Member {
 
     pub fn motion(&self) -> Result<Motion, Error> {
         let pose = pose_of(&self.pose, self.content.centre)?;
-        // Two bodies that stay are never asked about: who may move is at rest in another way.
+        // Questions leave out two bodies that are `At`: a body that may move gets a chain that stays.
         Ok(if self.content.is_fixed { Motion::At(pose) } else { Motion::Along(vec![Link { start: pose, end: pose }]) })
     }
 }
 
-/// All that takes part in contacts, and where it is.
+/// All owners that take part in contacts, each with its content and its pose.
 pub fn contents_of(bodies: &RigidBodySet, colliders: &ColliderSet) -> BTreeMap<Owner, (Content, Pose)> {
     let mut all = BTreeMap::new();
     for (handle, collider) in colliders.iter().filter(|(_, c)| c.is_enabled() && !c.is_sensor()) {

@@ -1,4 +1,4 @@
-//! The triangles that colliders have.
+//! The triangles of colliders.
 use glamx::{DPose3, DVec3};
 use rapier3d::math::{Pose, Vector};
 use rapier3d::parry::shape::{Shape, TypedShape};
@@ -52,7 +52,7 @@ pub fn double(p: Vector) -> DVec3 {
     DVec3::new(f64::from(p.x), f64::from(p.y), f64::from(p.z))
 }
 
-/// Of unit length, as it is meant.
+/// The pose in doubles, its quaternion normalized.
 pub fn double_pose(pose: &Pose) -> DPose3 {
     DPose3::from_parts(double(pose.translation), pose.rotation.as_dquat().normalize())
 }

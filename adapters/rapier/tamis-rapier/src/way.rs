@@ -4,15 +4,15 @@ use glamx::DVec3;
 use rapier3d::math::{Pose, Vector};
 use tamis::Error;
 
-/// Where the centre of mass is, and how the body is turned about it. The triangles that Tamis has of a body are given
-/// from there, as that is what goes straight.
+/// The pose of the centre of mass. Tamis has a body's triangles in a frame with this origin, as the centre of mass goes
+/// straight.
 pub fn pose_of(pose: &Pose, centre: DVec3) -> Result<tamis::Pose, Error> {
     let q = pose.rotation.as_dquat();
     tamis::Pose::of_quaternion([q.w, q.x, q.y, q.z], double_pose(pose).transform_point(centre).to_array())
 }
 
-/// From one of rapier's poses to the next: the centre of mass goes straight, the body turns at constant speed about a
-/// fixed axis, by the shorter way.
+/// The way from one of rapier's poses to the next: the centre of mass goes straight, and the body turns the shorter way
+/// at constant speed about a fixed axis.
 pub struct Way {
     pub start: Pose,
     pub end: Pose,
@@ -20,7 +20,7 @@ pub struct Way {
 }
 
 impl Way {
-    /// A part of it, as rapier keeps it.
+    /// The pose after `fraction` of the way, rounded as rapier keeps it.
     pub fn at(&self, fraction: f64) -> Pose {
         if fraction <= 0.0 {
             return self.start;

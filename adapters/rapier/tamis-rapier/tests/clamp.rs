@@ -2,7 +2,7 @@
 use rapier3d::prelude::*;
 use tamis_rapier::{Clamp, ClampOptions, Step};
 
-/// Without rapier's own CCD, which stops fast hulls before what is fixed: the clamp is alone.
+/// A world without rapier's own CCD, which stops fast hulls before fixed bodies: only the clamp stops bodies.
 fn world(gravity: f32) -> PhysicsWorld {
     let mut world = PhysicsWorld { gravity: Vector::new(0.0, 0.0, -gravity), ..PhysicsWorld::default() };
     world.integration_parameters.max_ccd_substeps = 0;
@@ -21,7 +21,7 @@ fn at(x: f32, y: f32, z: f32) -> RigidBodyBuilder {
     RigidBodyBuilder::dynamic().translation(Vector::new(x, y, z))
 }
 
-/// With a skin, so that rapier lets bodies rest apart, not a little in each other.
+/// A box with a skin, so that rapier lets bodies rest apart, not a little in each other.
 fn small_box() -> ColliderBuilder {
     ColliderBuilder::cuboid(0.1, 0.1, 0.1).contact_skin(0.001)
 }

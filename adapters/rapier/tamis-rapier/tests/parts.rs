@@ -1,8 +1,9 @@
-//! Bodies of several colliders that meet others each; colliders that get another shape; bodies that turn too far.
+//! Tests of bodies whose colliders collide with different things, of colliders that get another shape, and of bodies
+//! that turn too far.
 use rapier3d::prelude::*;
 use tamis_rapier::{Clamp, ClampOptions};
 
-/// Without gravity and rapier's own CCD.
+/// A world without gravity and without rapier's own CCD.
 fn world() -> PhysicsWorld {
     let mut world = PhysicsWorld { gravity: Vector::ZERO, ..PhysicsWorld::default() };
     world.integration_parameters.max_ccd_substeps = 0;
@@ -21,7 +22,7 @@ fn only(group: Group) -> InteractionGroups {
     InteractionGroups::new(group, group, InteractionTestMode::And)
 }
 
-/// How high it is after three steps at 100 m/s downwards.
+/// The height of the body after three steps at 100 m/s downwards.
 fn shot(world: &mut PhysicsWorld, clamp: &mut Clamp, body: RigidBodyHandle) -> f32 {
     world.bodies[body].set_linvel(Vector::new(0.0, 0.0, -100.0), true);
     for _ in 0..3 {
@@ -35,7 +36,7 @@ fn a_collider_that_meets_nobody_hides_none_that_does() {
     let mut world = world();
     world.colliders.insert(ColliderBuilder::cuboid(2.0, 2.0, 0.001));
     let (body, _) = world.insert(at(0.0, 0.0, 1.0), ColliderBuilder::cuboid(0.1, 0.1, 0.1));
-    // It reaches through the wall: the bodies overlap there.
+    // The box reaches through the wall: the bodies overlap there.
     world.insert_collider(
         ColliderBuilder::cuboid(1.0, 1.0, 1.5).collision_groups(InteractionGroups::none()),
         Some(body),

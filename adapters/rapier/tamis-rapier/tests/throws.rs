@@ -1,7 +1,8 @@
-//! A few of the throws of `examples/throws`: rapier alone lets some through, the clamp none, and that is proven.
+//! A few of the throws of `examples/throws`: rapier alone lets some through; the clamp lets none through, and that is
+//! proven.
 #[path = "../examples/throws/judge.rs"]
 mod judge;
-// What the example alone uses is not used here.
+// The example uses more than this test does.
 #[allow(dead_code)]
 #[path = "../examples/throws/scenes.rs"]
 mod scenes;

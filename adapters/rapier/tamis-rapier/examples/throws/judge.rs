@@ -1,4 +1,4 @@
-//! Whether a throw was stopped, asked of others than the clamp.
+//! Tests, independent of the clamp, whether a throw was stopped.
 use crate::scenes::{Flight, Throw, Triangles};
 use glamx::DPose3;
 use parry3d_f64::query::contact;
@@ -8,7 +8,7 @@ use tamis::{Motion, Query, Shape, World};
 use tamis_rapier::Error;
 
 impl Throw {
-    /// Is each step free by an own world of Tamis, made of the poses alone? That is a proof.
+    /// Is each step free? Asks a new world of Tamis, made from the poses alone; true is a proof.
     pub fn is_proven(&self, flight: &Flight) -> Result<bool, Error> {
         let mut world = World::new(1)?;
         world.add(&shape_of(&self.fixed)?, &Motion::at(tamis::Pose::default()))?;
@@ -22,8 +22,8 @@ impl Throw {
         Ok(true)
     }
 
-    /// Is a triangle of one in one of the other by more than `DEPTH`, at one of `samples` times in a step, by parry, in
-    /// doubles? Misses what happens between the times.
+    /// Does a triangle of one mesh lie in one of the other by more than `DEPTH`, at one of `samples` times in a step?
+    /// By parry, in doubles. Misses crossings between the times.
     pub fn is_seen_crossing(&self, flight: &Flight, samples: usize) -> bool {
         let mesh = |t: &Triangles| {
             TriMesh::new(t.points.iter().map(|p| p.as_dvec3()).collect(), t.faces.clone()).expect("a mesh")
@@ -41,14 +41,14 @@ impl Throw {
     }
 }
 
-/// In metres. Two triangles that are 1e-10 apart are in each other, as parry sees it.
+/// In metres. To parry, triangles that are 1e-10 apart already lie in each other.
 const DEPTH: f64 = 1e-8;
 
 fn double(pose: &Pose) -> DPose3 {
     DPose3::from_parts(pose.translation.as_dvec3(), pose.rotation.as_dquat().normalize())
 }
 
-/// All bodies here have their centre of mass in their origin.
+/// REQUIRES: the body's centre of mass is its origin, as that of all bodies here.
 fn pose_of(pose: &Pose) -> Result<tamis::Pose, Error> {
     let q = pose.rotation.as_dquat();
     tamis::Pose::of_quaternion([q.w, q.x, q.y, q.z], pose.translation.as_dvec3().to_array())

@@ -1,4 +1,5 @@
-//! How many throws each way of simulating lets through, whether that is proven, and what a step costs:
+//! For each method of simulating: how many throws it lets through, how many are not proven free, and the cost of a
+//! step:
 //! `cargo run --release --example throws [THROWS]`.
 mod judge;
 mod scenes;

@@ -1,11 +1,11 @@
-//! The throws that engines are asked to stop: the plates of `adapters/bullet/throws`, and rods like those there.
+//! Throws that engines are to stop: the plates of `adapters/bullet/throws`, and rods like those there.
 use rapier3d::math::{Pose, Rotation, Vector};
 use rapier3d::prelude::*;
 use std::f64::consts::PI;
 use std::time::{Duration, Instant};
 use tamis_rapier::{Clamp, ClampOptions, Error};
 
-/// How the body that flies is made, and who looks after it.
+/// The shape of the flying body, and what stops it.
 #[derive(Clone, Copy)]
 pub struct Method {
     pub name: &'static str,
@@ -32,7 +32,7 @@ pub struct Triangles {
     pub faces: Vec<[u32; 3]>,
 }
 
-/// Of the poses of a flight.
+/// Tests the poses of a flight.
 type Judge = Box<dyn Fn(&[Pose]) -> bool>;
 
 pub struct Throw {
@@ -43,9 +43,9 @@ pub struct Throw {
     spin: Vector,
     steps: usize,
     seconds: f32,
-    /// It can but turn about z.
+    /// The body can only turn about z.
     on_axle: bool,
-    /// Has the body been where it can only be if it passed through?
+    /// Has the body passed through? Is true if a pose can be reached in no other way.
     is_through: Judge,
 }
 
@@ -55,7 +55,7 @@ pub struct Flight {
     pub time: Duration,
 }
 
-/// The same numbers as in C++.
+/// Random numbers, the same as in C++.
 struct Random(rand_mt::Mt);
 
 impl Random {
@@ -98,8 +98,8 @@ pub fn spinning_plates(count: usize) -> Vec<Throw> {
     throws.collect()
 }
 
-/// A rod of 2 m on an axle through its middle that turns at 180 rad/s, and a plate without thickness that stands in its
-/// way, somewhere in the 2.9 rad that rapier turns it in one step.
+/// A rod of 2 m, on an axle through its middle, that turns at 180 rad/s. A plate without thickness stands in its way,
+/// somewhere in the 2.9 rad that rapier turns the rod in one step.
 pub fn spinning_rods(count: usize) -> Vec<Throw> {
     let mut random = Random(rand_mt::Mt::new(1));
     let throws = (0..count).map(|_| {
@@ -126,7 +126,7 @@ pub fn spinning_rods(count: usize) -> Vec<Throw> {
     throws.collect()
 }
 
-/// About z, added up over the steps.
+/// The angle by which the body has turned about z after each step, added up.
 fn turned_by(poses: &[Pose]) -> Vec<f64> {
     let mut turned = 0.0;
     let steps = poses.windows(2).map(|ends| {

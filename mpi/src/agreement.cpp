@@ -59,9 +59,9 @@ Report report_of(const std::exception_ptr& failure) {
 }  // namespace
 
 void end_all(MPI_Comm communicator) {
-  constexpr int kNoMemory = 12;  // ENOMEM: nothing else fails there
+  constexpr int kNoMemory = 12;  // ENOMEM: memory is all that can be missing there
   MPI_Abort(communicator, kNoMemory);
-  std::abort();  // MPI_Abort does not return, but does not say so
+  std::abort();  // MPI_Abort does not return, but its declaration does not say so
 }
 
 void agree(Communicator& communicator, const std::exception_ptr& failure) {

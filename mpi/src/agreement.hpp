@@ -1,4 +1,4 @@
-// Errors of one rank are errors of all: before anybody goes on, the ranks tell each other how it went.
+// An error of one rank is an error of all: before any rank goes on, the ranks tell each other whether they have failed.
 #pragma once
 #include <exception>
 
@@ -7,7 +7,7 @@
 
 namespace tamis::distributed {
 
-/// What `work` throws, if it does.
+/// Returns the exception that `work` throws, or none.
 template <class Work>
 std::exception_ptr failure_of(const Work& work) {
   try {
@@ -18,20 +18,21 @@ std::exception_ptr failure_of(const Work& work) {
   return nullptr;
 }
 
-/// Collective. Where any rank has failed, all throw the same: what the lowest of them did, as a type of
-/// `tamis/error.hpp`, with a sentence that begins with the rank.
+/// Collective. If any rank has failed, all throw the exception of the lowest one that has, as a type of
+/// `tamis/error.hpp`, with a message that begins with that rank.
 void agree(Communicator& communicator, const std::exception_ptr& failure);
 
-/// Collective; `work` is of this rank alone.
+/// Collective: runs `work`, which needs no other rank, then agrees.
 template <class Work>
 void together(Communicator& communicator, const Work& work) {
   agree(communicator, failure_of(work));
 }
 
-/// Ends all ranks: this one has failed where nobody agrees, and the others would wait for it for ever.
+/// Ends all ranks. For a rank that fails where ranks do not agree: the others would wait for it for ever.
 [[noreturn]] void end_all(MPI_Comm communicator);
 
-/// Collective: what an entry point does. Errors that are agreed upon are the library's own types, others are not.
+/// Collective: runs `work`, the body of an entry point. Errors that are agreed upon have the library's own types and
+/// are thrown on; any other exception ends all ranks.
 template <class Work>
 auto agreed_or_ended(MPI_Comm communicator, const Work& work) {
   try {

@@ -3,7 +3,7 @@
 namespace tamis::distributed {
 namespace {
 
-/// Published by one rank at most; fewer where there are many ranks, as every rank has those of all.
+/// The most boxes that one rank publishes. Fewer if there are many ranks, as every rank holds the boxes of all.
 std::size_t most_boxes(int ranks) {
   constexpr std::size_t kMost = 512, kLeast = 32, kOfAll = std::size_t{1} << 18;
   return std::clamp(kOfAll / static_cast<std::size_t>(ranks), kLeast, kMost);

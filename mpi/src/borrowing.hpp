@@ -1,5 +1,5 @@
-// Elements that a rank needs beside its own: every rank publishes some moving boxes around what it owns; where those of
-// two ranks meet, one of the two sends its elements there to the other, which searches.
+// Elements that a rank needs besides its own. Every rank publishes some moving boxes around its elements. Where boxes
+// of two ranks meet, one of the two sends its elements there to the other, which searches.
 #pragma once
 #include <exception>
 #include <optional>
@@ -13,25 +13,25 @@
 
 namespace tamis::distributed {
 
-/// Which of two ranks searches the pairs between their elements: by turns the lower and the higher, so that each has
-/// half of its neighbours to search for.
+/// Which of two ranks searches the pairs between their elements: the lower or the higher by turns, so that each rank
+/// searches for half of its neighbours.
 inline int searcher_of(int a, int b) { return (a + b) % 2 != 0 ? std::min(a, b) : std::max(a, b); }
 
 class Borrowing {
  public:
-  /// Collective. What this rank sends is on its way when it returns. Keeps a reference to `own`. A rank that fails
-  /// (`failure`) goes on as if it had nothing, so that nobody waits; what it has found then counts for nothing.
+  /// Collective; this rank's messages are on their way when it returns. Keeps a reference to `own`. A rank that fails
+  /// (`failure`) goes on as if it had nothing, so that no rank waits; what it has found is then not used.
   template <class Test>
   Borrowing(Communicator& communicator, const ElementSet& own, const BoxRule& rule, const Test& may_matter);
 
-  /// Collective, to be called once: the elements of other ranks that matter to some of this rank's.
+  /// Collective, to be called once. Receives the elements of other ranks that matter to some of this rank's elements.
   void finish();
   const ElementSet& borrowed() const { return borrowed_; }
-  /// The elements of this rank to which those matter.
+  /// The elements of this rank to which borrowed ones matter.
   template <class Test>
   ElementSet own_near_borrowed(const Test& may_matter) const;
   std::uint64_t boxes_published() const { return boxes_; }
-  /// To be agreed upon before any answer is believed.
+  /// Ranks must agree on it before they use any answer.
   const std::exception_ptr& failure() const { return failure_; }
 
  private:
@@ -43,7 +43,7 @@ class Borrowing {
   Communicator& communicator_;
   const ElementSet& own_;
   const BoxRule rule_;
-  BoxTree tree_;  ///< over own elements
+  BoxTree tree_;  ///< over this rank's elements
   std::uint64_t boxes_ = 0;
   std::optional<SparseExchange> exchange_;
   ElementSet borrowed_;

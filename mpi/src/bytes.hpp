@@ -17,7 +17,7 @@ class Packer {
   void put(const T& value) {
     append(&value, 1);
   }
-  /// With its length.
+  /// Puts the length first.
   template <class T>
   void put_all(const std::vector<T>& values) {
     put(values.size());
@@ -37,7 +37,7 @@ class Packer {
   Bytes bytes_;
 };
 
-/// REQUIRES: reads what a Packer put, in the same order. Keeps a reference.
+/// REQUIRES: reads the values that a Packer put, in the same order. Keeps a reference.
 class Unpacker {
  public:
   explicit Unpacker(std::span<const std::byte> bytes) : rest_(bytes) {}

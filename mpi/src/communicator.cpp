@@ -18,7 +18,7 @@ int as_count(std::size_t count) {
 
 Communicator::Communicator(MPI_Comm communicator) {
   MPI_Comm_dup(communicator, &raw_);
-  // Callers may have chosen to look at codes themselves, as mpi4py does; here nobody would.
+  // Callers may have chosen to check error codes themselves, as mpi4py does; here nobody checks them.
   MPI_Comm_set_errhandler(raw_, MPI_ERRORS_ARE_FATAL);
   MPI_Comm_rank(raw_, &rank_);
   MPI_Comm_size(raw_, &size_);

@@ -11,14 +11,14 @@ namespace {
 
 auto key(const Contact& c) { return std::tie(c.kind, c.vertices); }
 
-/// How many from `first` on have its key.
+/// How many contacts from `first` on have its key.
 std::size_t run_length(const std::vector<Contact>& list, std::size_t first) {
   std::size_t end = first;
   while (end < list.size() && key(list[end]) == key(list[first])) ++end;
   return end - first;
 }
 
-/// Of each key the longer run. REQUIRES: both in order.
+/// Merges two lists; of each key it takes the longer run. REQUIRES: both in order.
 std::vector<Contact> merged(const std::vector<Contact>& a, const std::vector<Contact>& b) {
   std::vector<Contact> result;
   result.reserve(a.size() + b.size());
@@ -40,7 +40,7 @@ std::vector<Contact> merged(const std::vector<Contact>& a, const std::vector<Con
   return result;
 }
 
-/// Two by two, until one is left.
+/// Merges lists two by two, until one is left.
 std::vector<Contact> merged(std::vector<std::vector<Contact>> lists) {
   if (lists.empty()) return {};
   for (; lists.size() > 1; lists.resize((lists.size() + 1) / 2))
@@ -49,7 +49,8 @@ std::vector<Contact> merged(std::vector<std::vector<Contact>> lists) {
   return std::move(lists.front());
 }
 
-/// Collective: of what every rank's `pack()` sends; nothing where that fails, so that nobody waits.
+/// Collective: merges the lists that every rank's `pack()` sends to this one. A rank whose `pack()` fails sends
+/// nothing, so that no rank waits.
 template <class Pack>
 std::vector<Contact> merged_of_all(Communicator& communicator, const Pack& pack) {
   std::vector<Message> outgoing;

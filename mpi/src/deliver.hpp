@@ -1,4 +1,4 @@
-// Contacts of several searches as one list, and each on its rank.
+// Brings contacts of several searches together in one list, on their ranks.
 #pragma once
 #include <vector>
 
@@ -7,14 +7,15 @@
 
 namespace tamis::distributed {
 
-/// By kind, then vertices: the order of contacts.
+/// The order of contacts: by kind, then vertices.
 bool comes_before(const Contact& a, const Contact& b);
 
-/// Collective. Every contact that any rank has found, in any of its lists, once, on its home and in order. Where
-/// features are given several times, as are their contacts: as often as the list has it that has it most.
+/// Collective. Returns on each rank the contacts whose home it is, of all lists of all ranks, in order, each once.
+/// Features that the mesh has several times have their contacts several times: as often as in the list that has them
+/// most often.
 std::vector<Contact> deliver(Communicator& communicator, const std::vector<std::vector<HomedContact>>& found);
 
-/// Collective. All contacts in order on `root`, none elsewhere.
+/// Collective. Returns all contacts, in order, on `root`; none elsewhere.
 std::vector<Contact> gather(Communicator& communicator, const std::vector<Contact>& mine, int root);
 
 }  // namespace tamis::distributed

@@ -12,7 +12,7 @@
 namespace tamis::distributed {
 namespace {
 
-/// The time until which others may still have the first: brackets of contacts that come first end a little later.
+/// Other ranks may have the first contact until this time: its bracket may end a little later than the least upper end.
 double soon_after(double time) {
   constexpr double kRoom = 0x1p-10;
   return std::min(time + kRoom, 1.0);
@@ -40,7 +40,7 @@ struct Detector::State {
     return first_of_all(searches.communicator(), first);
   }
 
-  /// Once any rank has a contact, nobody need borrow.
+  /// Once any rank has a contact, no rank needs to borrow.
   bool find_whether_free() {
     bool is_free = true;
     searches.search_in_turn([&](LocalSearch& search) { is_free = is_free && search.is_free(searches.asked()); }, false,
@@ -50,13 +50,13 @@ struct Detector::State {
 
   SafeStep find_safe_step(double keep) {
     SafeStep first;
-    double upper = 1;  // of keep 0: of any contact, whatever pair comes first
+    double upper = 1;  // with keep 0: the least of any contact, whichever pair is first
     const auto ask = [&](LocalSearch& search) {
       const SafeStep safe = search.safe_step(keep, searches.asked());
       keep_first(first, safe);
       upper = std::min(upper, safe.upper);
     };
-    // What a pair's own time is rounded by is in the factor (docs/numerics.md, "Step lengths").
+    // The factor covers the rounding of a pair's own time (docs/numerics.md, "Step lengths").
     searches.search_in_turn(ask, true, [&] {
       const double until = soon_after(searches.communicator().least(first.lower)) * (1 + 0x1p-14);
       return NearWithin{until / (1 - keep)};
@@ -67,7 +67,7 @@ struct Detector::State {
     return answer;
   }
 
-  /// Collective: all that belongs to one question.
+  /// Collective: runs one question from its beginning to its end.
   template <class Find>
   void ask(const std::string& question, const Step& step, const QueryOptions& options, const Find& find) {
     double total = 0;
@@ -86,7 +86,7 @@ struct Detector::State {
 
   Searches searches;
   std::vector<Contact> contacts;
-  std::atomic_flag is_asked;  ///< the turn of this rank's question
+  std::atomic_flag is_asked;  ///< set while this rank answers a question
 };
 
 Detector::Detector(MPI_Comm communicator, const LocalMesh& mesh, Options options)

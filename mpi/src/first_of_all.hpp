@@ -6,11 +6,12 @@
 
 namespace tamis::distributed {
 
-/// Of two searches of one rank.
+/// Keeps in `first` the first answer of two searches of one rank.
 void keep_first(EarliestContact& first, const EarliestContact& other);
 void keep_first(SafeStep& first, const SafeStep& other);
 
-/// Collective. By the least time, then kind and vertices; of `upper` the least, that of a safe step being of its pair.
+/// Collective: the first answer of all ranks, by time, then kind and vertices. toi_upper is the least of all ranks; the
+/// `upper` of a safe step is that of its pair.
 EarliestContact first_of_all(Communicator& communicator, const EarliestContact& mine);
 SafeStep first_of_all(Communicator& communicator, const SafeStep& mine);
 

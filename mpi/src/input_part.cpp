@@ -51,7 +51,7 @@ void validate(const LocalMesh& mesh, const PairFilter& filter) {
   check_groups(filter, mesh.vertices.size());
 }
 
-/// The largest number and 1.
+/// The largest number plus 1.
 std::uint64_t end_of_numbers(const LocalMesh& mesh) {
   std::uint64_t end = 0;
   const auto see = [&](Index number) { end = std::max(end, static_cast<std::uint64_t>(number) + 1); };
@@ -82,7 +82,7 @@ class InputPartMaker {
   }
 
  private:
-  /// Every vertex that is given or used here, by number.
+  /// Makes one mention of each vertex that this rank gives or uses, by number.
   void mention_all() {
     std::vector<Mention> all;
     for (std::size_t row = 0; row < mesh_.vertices.size(); ++row)
@@ -103,7 +103,7 @@ class InputPartMaker {
         add_to(mentions_.back(), mention);
   }
 
-  /// Rows come first.
+  /// REQUIRES: mentions of rows are added first.
   static void add_to(Mention& mention, const Mention& other) {
     if (mention.is_given && other.is_given)
       throw InvalidMesh("vertex " + std::to_string(other.number) + " has two rows of positions: give it one");
@@ -141,7 +141,7 @@ class InputPartMaker {
     for (auto& [home, places] : by_home) part_.borrowed.push_back({home, std::move(places)});
   }
 
-  /// Without loose features that belong to larger ones: a search that does not see these would take them for loose.
+  /// Leaves out loose features that belong to larger ones: a search without the larger ones would take them for loose.
   void take_elements(VertexDirectory& directory, const std::vector<Entry>& entries) {
     std::vector<Index> points;
     const auto add_point = [&](Index v) {

@@ -1,5 +1,5 @@
-// A rank's part of the mesh as its caller gave it, and what must be known of other ranks' parts to make it one mesh:
-// who gives the position of a vertex, and which loose features belong to larger ones elsewhere.
+// A rank's part of the mesh as its caller gave it, and the facts about other ranks' parts that make it one mesh: which
+// rank gives the position of a vertex, and which loose features belong to larger ones elsewhere.
 #pragma once
 #include <vector>
 
@@ -16,14 +16,15 @@ struct SharedVertices {
 };
 
 struct InputPart {
-  /// Of this rank; vertices are those that it gives or uses. Neither ids nor motions.
+  /// The elements of this rank, and the vertices that it gives or uses. Without ids; without motions until
+  /// take_positions.
   ElementSet elements;
-  std::vector<Index> row_of_vertex;  ///< of the positions; -1: given elsewhere
-  std::vector<bool> is_used;         ///< of each vertex, by elements here
-  std::vector<SharedVertices> lent;  ///< this rank is their home
+  std::vector<Index> row_of_vertex;  ///< for each vertex its row of the positions; -1 if another rank gives it
+  std::vector<bool> is_used;         ///< for each vertex: is it used by elements of this rank?
+  std::vector<SharedVertices> lent;  ///< vertices whose home this rank is
   std::vector<SharedVertices> borrowed;
   Index row_count = 0;
-  Index vertex_count = 0;  ///< of the whole mesh: the largest number and 1
+  Index vertex_count = 0;  ///< of the whole mesh: the largest number plus 1
 };
 
 /// Collective. Throws as the constructor of Detector does.

@@ -33,7 +33,7 @@ Point point_at(const Positions& positions, Index row) {
 
 bool is_finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
 
-/// Two that are not finite are equal: whether that matters depends on who uses them.
+/// Two points that are not finite count as the same: whether that matters depends on which rank uses them.
 bool are_same(const Point& a, const Point& b) { return a == b || (!is_finite(a) && !is_finite(b)); }
 
 void read_rows(const Step& step, InputPart& part) {
@@ -95,7 +95,7 @@ void take_positions(Communicator& communicator, const Step& step, InputPart& par
   });
   const std::vector<Message> messages = exchange(communicator, std::move(lent));
   together(communicator, [&] {
-    // Both ends are by rank: every lender sends one message.
+    // Messages and part.borrowed are both sorted by rank: every lender sends one message.
     for (std::size_t i = 0; i < messages.size(); ++i) take_borrowed(part.borrowed[i], messages[i].bytes, part);
     check_finite(part);
   });

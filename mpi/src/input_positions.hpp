@@ -1,4 +1,4 @@
-// From the caller's rows to the motion of every vertex that a rank gives or uses.
+// Makes the motions of all vertices that a rank gives or uses, from the caller's rows.
 #pragma once
 #include "mpi/src/communicator.hpp"
 #include "mpi/src/input_part.hpp"
@@ -6,8 +6,8 @@
 
 namespace tamis::distributed {
 
-/// Collective. Fills part.elements.motions: each vertex has the position that its home gives. Throws InvalidStep where
-/// rows do not fit, where ranks give one vertex different positions, where one that is used is not finite.
+/// Collective. Fills part.elements.motions: each vertex has the position that its home gives. Throws InvalidStep if
+/// rows do not fit, if ranks give one vertex different positions, or if a vertex that is used is not finite.
 void take_positions(Communicator& communicator, const Step& step, InputPart& part);
 
 }  // namespace tamis::distributed

@@ -98,7 +98,7 @@ bool LocalSearch::is_wanted(PairKind kind, const std::array<Index, 4>& vertices)
   return !options_.filter.accepts || accepts(kind, vertices);
 }
 
-/// A vertex of one side alone belongs to features of that side alone.
+/// A vertex of one side alone belongs only to features of that side.
 bool LocalSearch::is_within_a_side(const std::array<Index, 4>& vertices) const {
   std::uint8_t sides = 0;
   for (const Index v : vertices)

@@ -1,5 +1,5 @@
-// The ordinary detector on some elements of the whole mesh: vertices are numbered anew in the order of their numbers,
-// which keeps every order that an answer depends on, and answers are translated back.
+// The ordinary detector on some elements of the whole mesh. It numbers vertices anew in the order of their numbers,
+// which keeps every order that an answer depends on; answers are translated back.
 #pragma once
 #include <optional>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace tamis::distributed {
 
-/// And the rank to which it goes.
+/// A contact, and the rank to which it is sent.
 struct HomedContact {
   Contact contact;
   int home;
@@ -22,13 +22,14 @@ class LocalSearch {
   LocalSearch(const LocalSearch&) = delete;
   LocalSearch& operator=(const LocalSearch&) = delete;
 
-  /// What to search, with its motions. Keeps the detector where elements have the ids of last time.
+  /// Sets the elements to search, and their motions. Keeps the detector if the elements have the ids of last time.
   void assign(std::span<const ElementSet* const> sets);
-  /// The same, of pairs with a feature of `mine` and one of `others`; pairs within either may be left out.
+  /// The same for a search of pairs with a feature of `mine` and one of `others`; pairs within either may be left out.
   void assign_sides(const ElementSet& mine, std::span<const ElementSet* const> others);
-  /// Ids mean other elements from now on.
+  /// To be called when ids begin to name other elements.
   void forget();
-  /// From the next question on: in how many pairs whose boxes meet each vertex takes part.
+  /// From the next question on: does it count for each vertex the pairs of features whose boxes meet in which it takes
+  /// part?
   void count_pairs(bool counts);
 
   bool empty() const { return set_.empty(); }
@@ -37,9 +38,9 @@ class LocalSearch {
   bool is_free(const QueryOptions& asked);
   SafeStep safe_step(double keep, const QueryOptions& asked);
 
-  /// Pairs of features whose boxes meet, in the last question.
+  /// The number of pairs of features whose boxes met in the last question.
   std::uint64_t pairs_tested() const;
-  /// Of the elements at these vertices: pairs in which their corners take part, each at least 1. REQUIRES: count_pairs.
+  /// For each element of `part` 1 plus the counted pairs of its corners. REQUIRES: count_pairs.
   std::vector<std::uint64_t> weights_of(const ElementSet& part) const;
 
  private:
@@ -57,7 +58,7 @@ class LocalSearch {
   ElementSet set_;
   std::vector<Point> start_, end_;
   std::optional<tamis::Detector> detector_;
-  std::vector<std::uint8_t> side_;  ///< of each vertex, a bit each; empty: sides do not matter
+  std::vector<std::uint8_t> side_;  ///< for each vertex, one bit a side; empty if sides do not matter
   bool counts_pairs_ = false;
   std::vector<std::uint64_t> pairs_of_vertex_;
 };

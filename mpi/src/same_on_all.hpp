@@ -1,4 +1,4 @@
-// What all ranks must say alike: options, and questions.
+// Checks that all ranks give the same options and questions.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,12 +8,13 @@
 
 namespace tamis::distributed {
 
-/// Collective. Throws InvalidOptions, on every rank, naming the first that says something else than rank 0.
+/// Collective. Throws InvalidOptions on every rank if one says something else than rank 0; the message names the first
+/// difference of the lowest such rank.
 void require_same(Communicator& communicator, const std::vector<std::string>& sayings);
 
-/// Those of the options that change the answer.
+/// The options that change the answer, as text.
 std::vector<std::string> sayings_of(const Options& options);
-/// A number that reads back as it is.
+/// A number as text that reads back as the same number.
 std::string exact(double number);
 
 }  // namespace tamis::distributed

@@ -10,12 +10,12 @@
 namespace tamis::distributed {
 namespace {
 
-/// Work is balanced while the busiest rank has this much more than the mean.
+/// Work counts as balanced while the busiest rank has at most this many times the mean.
 constexpr double kBalanced = 1.2;
-/// Cuts by weights, one after the other, until what is left of the imbalance is taken as it is: the weights are those
-/// of the cuts before.
+/// After this many decompositions by weights, one after the other, the remaining imbalance is accepted: weights are
+/// those of the decomposition before.
 constexpr int kCuts = 3;
-/// And until the busiest rank has this much more than that.
+/// The accepted imbalance may grow by this factor before there is a new decomposition.
 constexpr double kWorse = 1.25;
 
 /// Throws as `tamis::Detector` does, before any rank has an element.
@@ -91,7 +91,8 @@ void Searches::watch_balance() {
   if (counts_pairs_) {
     std::vector<std::uint64_t> weights = interior_.weights_of(own());
     const std::vector<std::uint64_t> of_border = border_.weights_of(own());
-    for (std::size_t e = 0; e < weights.size(); ++e) weights[e] += 2 * of_border[e];  // the other half is borrowed
+    for (std::size_t e = 0; e < weights.size(); ++e)
+      weights[e] += 2 * of_border[e];  // ranks that borrow the element search the other half
     decomposition_.report_weights(weights);
     counts_pairs_ = false;
     is_to_decompose_ = true;

@@ -1,5 +1,5 @@
-// The path of every question up to its answer on one rank: positions to owners, the frame, a search among own elements,
-// one against borrowed ones; and the balance of work.
+// What every question does up to its answer on one rank: it sends positions to owners, lends the frame, searches among
+// own elements, and searches against borrowed ones. Also watches the balance of work.
 #pragma once
 #include <exception>
 #include <string>
@@ -20,23 +20,24 @@ class Searches {
   /// Collective.
   Searches(MPI_Comm raw, const LocalMesh& mesh, Options options);
 
-  /// Collective: every question begins so. All ranks ask the same; everybody has its own elements and those of the
-  /// frame.
+  /// Collective: begins every question. Checks that all ranks ask the same; afterwards each rank has its own elements,
+  /// and those of the frame, with their motions.
   void begin(const std::string& question, const Step& step, const QueryOptions& options);
-  /// Collective. `ask(search)` among own elements and, while messages are on their way or after that, against all that
-  /// `may_matter`.
+  /// Collective. Calls `ask(search)` for a search among own elements while messages are on their way, then for one
+  /// against all borrowed elements that `may_matter`.
   template <class Ask, class Test>
   void search_at_once(const Ask& ask, const Test& may_matter);
-  /// Collective. The same in turn: what own elements say bounds, by `make_test()`, what has to be borrowed.
+  /// Collective. The same, but elements are borrowed after the search among own elements: its answer bounds, by
+  /// `make_test()`, which elements may matter.
   template <class Ask, class MakeTest>
   void search_in_turn(const Ask& ask, bool by_drifts, const MakeTest& make_test);
-  /// Collective: and ends so.
+  /// Collective: ends every question; adds up its statistics.
   void end();
-  /// Collective, after a question that tests all pairs. Where work has become unequal, the next one counts pairs, and
-  /// the one after it has a new decomposition.
+  /// Collective, after a question that tests all pairs. If work has become unequal, the next such question counts
+  /// pairs, and the one after it has a new decomposition.
   void watch_balance();
 
-  /// With the separation of the question, or else the options'.
+  /// The question's options; the separation is its own, or else that of the detector's options.
   const QueryOptions& asked() const { return asked_; }
   Communicator& communicator() { return communicator_; }
   Index vertex_count() const { return input_.vertex_count; }
@@ -62,8 +63,8 @@ class Searches {
   LocalSearch interior_{options_}, border_{options_};
   QueryOptions asked_;
   bool is_to_decompose_ = true, counts_pairs_ = false;
-  double allowed_;  ///< imbalance; 0: what the next question has, and some more
-  int cuts_ = 0;    ///< by weights
+  double allowed_;  ///< the imbalance that is accepted; 0: kWorse times that of the next question
+  int cuts_ = 0;    ///< number of decompositions by weights
   Traffic traffic_before_;
   Statistics statistics_;
   Balance balance_;

@@ -19,7 +19,7 @@ SparseExchange::SparseExchange(Communicator& communicator, std::vector<Message> 
       send(message);
 }
 
-/// In parts where it is long; they arrive in order.
+/// Sends a long message in parts, which arrive in order.
 void SparseExchange::send(const Message& message) {
   std::size_t sent = 0;
   do {

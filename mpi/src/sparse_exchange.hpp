@@ -1,5 +1,5 @@
-// Messages to some ranks, where nobody knows from whom it will hear: synchronous sends, and a barrier that a rank
-// enters when all of its own have been received (NBX: Hoefler, Siebert, Lumsdaine 2010). No rank talks to all.
+// Messages to some ranks, where no rank knows from which ranks it will receive: synchronous sends, and a barrier that a
+// rank enters when all its messages have been received (NBX: Hoefler, Siebert, Lumsdaine 2010). No rank talks to all.
 #pragma once
 #include <vector>
 
@@ -8,18 +8,18 @@
 namespace tamis::distributed {
 
 struct Message {
-  int rank;  ///< to whom, or from whom
+  int rank;  ///< receiver or sender
   Bytes bytes;
 };
 
 class SparseExchange {
  public:
-  /// Collective; the messages are on their way when it returns. At most one a rank.
+  /// Collective; the messages are on their way when it returns. At most one message to each rank.
   SparseExchange(Communicator& communicator, std::vector<Message> outgoing);
   SparseExchange(const SparseExchange&) = delete;
   SparseExchange& operator=(const SparseExchange&) = delete;
 
-  /// Collective, to be called once, whatever has happened since: the messages to this rank, by sender.
+  /// Collective; to be called once, even after a failure. Returns the messages to this rank, by sender.
   std::vector<Message> finish();
 
  private:
@@ -33,7 +33,7 @@ class SparseExchange {
   std::vector<MPI_Request> requests_;
 };
 
-/// Both at once.
+/// Collective: sends and receives in one call.
 std::vector<Message> exchange(Communicator& communicator, std::vector<Message> outgoing);
 
 }  // namespace tamis::distributed

@@ -1,10 +1,10 @@
-// Seconds of a stage.
+// Measures the seconds of a stage.
 #pragma once
 #include <chrono>
 
 namespace tamis::distributed {
 
-/// Adds the seconds from its making to its end.
+/// Adds to `seconds` the time from its construction to its destruction.
 class Stopwatch {
  public:
   explicit Stopwatch(double& seconds) : seconds_(seconds) {}

@@ -12,7 +12,7 @@ namespace tamis::bullet {
 struct Trial {
   const Arena* arena;
   Throw thrown;
-  /// Has the body passed through? Is true if its last place can be reached in no other way.
+  /// Has the body passed through? True if its last place can be reached in no other way.
   std::function<bool(const Flight&)> is_through;
 };
 

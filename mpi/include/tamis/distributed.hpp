@@ -1,4 +1,4 @@
-// Continuous collision detection of one mesh whose parts are on many machines: MPI ranks ask together.
+// Continuous collision detection of one mesh whose parts are on several MPI ranks, which ask together.
 #pragma once
 #include <mpi.h>
 
@@ -14,80 +14,83 @@
 
 namespace tamis::distributed {
 
-/// What one rank has of the mesh; it may have nothing. All numbers are those of the whole mesh, in [0, 2^31 - 1).
+/// The part of the mesh that one rank gives; it may be empty. All vertices are given by their numbers in the whole
+/// mesh, in [0, 2^31 - 1).
 struct LocalMesh {
-  /// Of each row of the positions that this rank gives. A vertex on a border may be given by several ranks, always with
-  /// the same position; one that features here use may be given elsewhere alone.
+  /// For each row of this rank's positions the number of its vertex. Several ranks may give a vertex on a border,
+  /// always with the same position. Features of this rank may use vertices that only other ranks give.
   std::vector<Index> vertices;
-  /// Each triangle on one rank.
+  /// Each triangle is given by one rank.
   std::vector<Face> faces;
   std::vector<Edge> loose_edges = {};
   std::vector<Index> loose_points = {};
 };
 
-/// Wall-clock seconds of this rank, waiting for others included.
+/// Wall-clock seconds of this rank, including those in which it waits for others.
 struct Seconds {
-  double positions = 0;  ///< from who gives them to who needs them
-  double decompose = 0;  ///< a new decomposition, where there was one
-  double borrow = 0;     ///< boxes to all, features to where boxes meet
+  double positions = 0;  ///< sending positions from ranks that give them to ranks that need them
+  double decompose = 0;  ///< a new decomposition, if there was one
+  double borrow = 0;     ///< sending boxes to all ranks, and features to ranks where boxes meet
   double interior = 0;   ///< search among the rank's own features
-  double border = 0;     ///< search against borrowed ones
-  double deliver = 0;    ///< contacts to their ranks, answers to all
+  double border = 0;     ///< search against borrowed features
+  double deliver = 0;    ///< sending contacts to their ranks, and answers to all
   double total = 0;
 };
 
-/// Of this rank and the last question. Features are counted as elements: a triangle with its edges and corners, a
-/// loose edge with its ends, a loose point.
+/// The cost of the last question on this rank. Features are counted as elements: a triangle with its edges and corners,
+/// a loose edge with its ends, or a loose point.
 struct Statistics {
-  std::uint64_t owned = 0;         ///< elements that are this rank's to search
-  std::uint64_t borrowed = 0;      ///< elements that others sent, because boxes meet
-  std::uint64_t pairs_tested = 0;  ///< pairs of features whose boxes meet, some of them in two searches
-  std::uint64_t boxes = 0;         ///< moving boxes of all ranks, which every rank has
+  std::uint64_t owned = 0;         ///< elements that this rank owns, and searches
+  std::uint64_t borrowed = 0;      ///< elements that other ranks sent because boxes meet
+  std::uint64_t pairs_tested = 0;  ///< pairs of features whose boxes meet; some are counted in two searches
+  std::uint64_t boxes = 0;         ///< moving boxes of all ranks together, which every rank holds
   std::uint64_t messages_sent = 0;
-  std::uint64_t bytes_sent = 0;  ///< in messages, and given to collective operations
+  std::uint64_t bytes_sent = 0;  ///< in messages and in collective operations
   bool decomposed_anew = false;
   Seconds seconds;
 };
 
-/// Largest over mean, of all ranks: 1 where work is shared evenly.
+/// The largest number of any rank over the mean; 1 if work is shared evenly.
 struct Balance {
   double pairs = 1;
   double owned = 1;
 };
 
-/// A `tamis::Detector` over all ranks of a communicator. Construction and every question are collective: all ranks
-/// call them, in the same order and with the same options. The answers are bit for bit those of one `tamis::Detector`
-/// with the whole mesh, whatever rank has what. An error on any rank is thrown on every rank, with the same sentence,
-/// which names the rank; the next question may be asked. A second question on a rank that is answering one, of another
-/// thread or of the filter, throws Busy there at once.
+/// A `tamis::Detector` over all ranks of a communicator. Construction and every question are collective: all ranks call
+/// them, in the same order and with the same options. The answers are bit for bit those of one `tamis::Detector` with
+/// the whole mesh, however the mesh is distributed. An error on any rank is thrown on every rank, with the same
+/// message, which names the rank; the next question may be asked. A second question on a rank that is still answering
+/// one, from another thread or from the filter, throws Busy there at once.
 class Detector {
  public:
-  /// Options::filter.group_of_vertex has one group a row of the positions; there is one ring; threads are those of a
-  /// rank. `threads`, `isa`, `accepts` and `is_cancelled` may differ from rank to rank, what `accepts` says of a pair
-  /// may not: it is asked on any rank, with the numbers of the whole mesh. Keeps a duplicate of the communicator, on
-  /// which MPI's own errors are fatal, and which must be freed before MPI is. Throws InvalidMesh and InvalidOptions as
-  /// `tamis::Detector` does, InvalidMesh also if no rank gives the position of a vertex that is used.
+  /// Of the options, filter.group_of_vertex has one group for each row of this rank's positions; filter.rings must be
+  /// 1; `threads` is the number of each rank. `threads`, `isa`, `accepts` and `is_cancelled` may differ from rank to
+  /// rank. What `accepts` returns for a pair may not: any rank may ask it, with the numbers of the whole mesh. Keeps a
+  /// duplicate of the communicator, on which MPI's own errors are fatal; destroy the detector before MPI_Finalize.
+  /// Throws InvalidMesh and InvalidOptions as `tamis::Detector` does, and InvalidMesh if no rank gives the position of
+  /// a vertex that is used.
   Detector(MPI_Comm communicator, const LocalMesh& mesh, Options options = {});
   ~Detector();
   Detector(Detector&&) noexcept;
   Detector& operator=(Detector&&) noexcept;
 
-  /// Every contact of the step, each on one rank: that which gives the position of its first vertex; of several, the
-  /// lowest. By kind, then vertices. Valid until the next question. `step`: a row for each of LocalMesh::vertices.
-  /// Every question throws InvalidStep as `tamis::Detector` does, and where positions of a vertex differ;
-  /// InvalidOptions with AtStart::fail: ranks report what touches at t=0, or ignore it.
+  /// Every contact of the step, each on one rank: the rank that gives the position of its first vertex, or the lowest
+  /// of several. Sorted by kind, then vertices. Valid until the next question. `step`: a row for each of
+  /// LocalMesh::vertices. Every question throws InvalidStep as `tamis::Detector` does, and if ranks give one vertex
+  /// different positions. It throws InvalidOptions with AtStart::fail: ranks report pairs that touch at t=0, or ignore
+  /// them.
   const std::vector<Contact>& contacts(const Step& step, const QueryOptions& = {});
-  /// The contacts of the last such question, of all ranks, in order, on rank `root`; none elsewhere. Collective. Throws
-  /// InvalidOptions if there is no such rank.
+  /// Collective: the contacts of all ranks from the last question for contacts, sorted, on rank `root`; an empty list
+  /// on all others. Throws InvalidOptions if there is no such rank.
   std::vector<Contact> gather_contacts(int root = 0);
   /// As in `tamis::Detector`; the same answer on every rank.
   EarliestContact earliest(const Step& step, const QueryOptions& = {});
   bool is_free(const Step& step, const QueryOptions& = {});
   SafeStep safe_step(const Step& step, double keep = 0.1, const QueryOptions& = {});
 
-  /// Largest number of a vertex that is used, of all ranks, plus 1.
+  /// The largest number of a vertex that any rank uses, plus 1.
   Index vertex_count() const;
-  /// Of the last question. Both throw Busy during one.
+  /// Cost and balance of the last question. Both throw Busy while a question is answered.
   const Statistics& statistics() const;
   const Balance& balance() const;
 

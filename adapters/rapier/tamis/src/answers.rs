@@ -6,21 +6,22 @@ use crate::world::BodyId;
 pub struct Contact {
     /// 0: a vertex and a face, 1: two edges, 2: a vertex and an edge, 3: two vertices.
     pub kind: i32,
-    /// 0: proven to touch; 1: arithmetic could not tell, kept so that no contact is missed.
+    /// 0: proven to touch; 1: arithmetic could not decide; kept, because a contact must never be missed.
     pub certainty: i32,
-    /// Those of the first feature, then of the second; -1 where the kind has fewer.
+    /// The vertices of the first feature, then those of the second; -1 where the kind has fewer.
     pub vertices: [i32; 4],
-    /// A part of the step: the pair is apart before.
+    /// A fraction of the step in [0, 1]: the pair is apart before this time.
     pub toi_lower: f64,
-    /// It touches at this time or before, if that is proven.
+    /// A pair that is proven to touch does so at this time or before.
     pub toi_upper: f64,
-    /// Where on the features (`tamis_contact` of the C interface).
+    /// The first contact weight (`tamis_contact` of the C interface).
     pub u: f64,
     /// The second weight.
     pub v: f64,
-    /// Of unit length, from the second feature to the first.
+    /// Unit vector: the direction in which the first feature must go, or against which the second must go, so that they
+    /// part.
     pub normal: [f64; 3],
-    /// Whose the first feature is, and the second.
+    /// The first feature's body and the second's.
     pub bodies: [BodyId; 2],
 }
 
@@ -32,13 +33,13 @@ pub struct NearPair {
     pub kind: i32,
     /// As of a contact.
     pub vertices: [i32; 4],
-    /// How far they are apart.
+    /// The distance between them.
     pub distance: f64,
-    /// Weights of the closest points.
+    /// The first weight of the closest points.
     pub u: f64,
     /// The second weight.
     pub v: f64,
-    /// From the second feature's closest point to the first's.
+    /// Unit vector from the second feature's closest point to the first's.
     pub direction: [f64; 3],
     /// As of a contact.
     pub bodies: [BodyId; 2],
@@ -52,25 +53,25 @@ pub struct Intersection {
     pub edge: [i32; 2],
     /// Vertices of the face.
     pub face: [i32; 3],
-    /// The first common point lies between this and `s_upper` on the edge.
+    /// The first common point along the edge has a parameter in [`s_lower`, `s_upper`].
     pub s_lower: f64,
     /// See `s_lower`.
     pub s_upper: f64,
-    /// Weights on the face: (1-u-v) f0 + u f1 + v f2.
+    /// The first weight of that point on the face: (1-u-v) f0 + u f1 + v f2.
     pub u: f64,
     /// The second weight.
     pub v: f64,
-    /// Whose the edge is, and the face.
+    /// The edge's body and the face's.
     pub bodies: [BodyId; 2],
 }
 
 /// How far all bodies may go.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Earliest {
-    /// A part of the step: nothing touches before; 1 if nothing does at all.
+    /// A fraction of the step: nothing touches before; 1 if nothing touches at all.
     pub lower: f64,
-    /// The first contact is at this time or before.
+    /// A contact that is proven happens at this time or before; 1 if there is none.
     pub upper: f64,
-    /// The first one.
+    /// The first contact; `None` if nothing touches.
     pub contact: Option<Contact>,
 }

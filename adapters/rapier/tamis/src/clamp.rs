@@ -5,20 +5,20 @@ use crate::sys;
 use crate::world::{BodyId, World};
 use std::ffi::{c_int, c_void};
 
-/// A step that an engine wants to make. What is proven is the way of each body from `pose(body, 0)` to where it is put
-/// at last: origin straight, turn by the shorter way about a fixed axis.
+/// A step that an engine wants to make. The proof is about each body's way from `pose(body, 0)` to its final pose: the
+/// origin goes straight, and the body turns the shorter way about a fixed axis.
 pub trait WantedStep {
-    /// Bodies that want to move and may be held back, each once.
+    /// Bodies that are to move and may be held back, each once. All others stay where the world has them.
     fn moving(&self) -> &[BodyId];
-    /// Where a body is once it has gone `fraction` of its way, in [0, 1]: rounded as the engine keeps it. Less than half
-    /// a turn from 0 to 1.
+    /// The pose of a body after `fraction` of its way, in [0, 1], rounded as the engine keeps it: so the proof is about
+    /// what the engine does. At 0 the body is where it is now; at 1 it has turned by less than half a turn.
     fn pose(&self, body: BodyId, fraction: f64) -> Pose;
-    /// How far the points of any body are from its origin, at most.
+    /// The largest distance of a body's points from its origin, or a bound of it; for all bodies.
     fn radius(&self, body: BodyId) -> f64;
-    /// Does the engine collide these two?
+    /// Does the engine collide these two bodies?
     fn collides(&self, first: BodyId, second: BodyId) -> bool;
-    /// Of two that it does: here, too? For bodies of several parts that differ in what they collide with. A vertex of
-    /// each body's shape.
+    /// Does the engine collide two bodies, for which `collides` is true, at these vertices of their shapes? For bodies
+    /// of several parts that collide with different things.
     fn collides_at(&self, _first: (BodyId, i32), _second: (BodyId, i32)) -> bool {
         true
     }
@@ -27,9 +27,10 @@ pub trait WantedStep {
 /// How bodies are held back.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClampOptions {
-    /// > 0, in the unit of the positions: how far from a contact a body is stopped.
+    /// > 0, in the unit of the positions: how far before a contact a body is stopped.
     pub gap: f64,
-    /// How often all are asked anew with shorter ways; after that, bodies that still touch stay where they are.
+    /// How often the question is asked again with shorter ways. After these rounds bodies that still touch stay where
+    /// they are.
     pub rounds: i32,
 }
 
@@ -39,21 +40,21 @@ impl Default for ClampOptions {
     }
 }
 
-/// What may be done of a step.
+/// How much of a step may be made.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clamped {
-    /// One a body of `moving`: which part of its way it may go.
+    /// For each body of `moving` the fraction of its way that it may go.
     pub fractions: Vec<f64>,
-    /// Questions that this took; 1 where nobody is held back.
+    /// How many questions were asked; 1 if no body is held back.
     pub questions: i32,
-    /// Pairs of bodies that overlap at the start, and are not held back because of each other.
+    /// The number of pairs of bodies that overlap at the start; they are not held back because of each other.
     pub overlapping: usize,
-    /// What held bodies back: of each question and pair of bodies the first contact.
+    /// The contacts that held bodies back: for each question and pair of bodies the first one.
     pub limits: Vec<Contact>,
 }
 
 impl World {
-    /// With the answered parts of their ways, no two bodies touch at any time, but those that overlap at the start.
+    /// Shortens the ways of bodies so that no two bodies touch at any time, except pairs that overlap at the start.
     /// Leaves the world with the proven motions. Refuses a gap or rounds out of range, and poses that are not finite.
     pub fn clamp(&mut self, step: &dyn WantedStep, options: &ClampOptions) -> Result<Clamped, Error> {
         let moving = step.moving();
@@ -72,7 +73,8 @@ impl World {
         };
         let mut fractions = vec![0.0; moving.len()];
         let (mut count, mut clamped) = (0, sys::tamis_clamped::default());
-        // SAFETY: one fraction a body; `user` outlives the call, and the functions below take it for what it is.
+        // SAFETY: `fractions` has one number a body. `user` outlives the call, and the functions below cast it back to
+        // what it points to.
         let status =
             unsafe { sys::tamis_world_clamp(self.handle, &wanted, fractions.as_mut_ptr(), &mut count, &mut clamped) };
         self.checked(status)?;

@@ -1,12 +1,12 @@
 use std::ffi::{c_char, c_int, CStr};
 use std::fmt;
 
-/// What the library refused, in its own sentence.
+/// An error of the library, with its own message.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Error {
     /// `tamis_status` of the C interface.
     pub status: i32,
-    /// What, where, and what to do.
+    /// What is wrong, where, and what to do.
     pub message: String,
 }
 
@@ -20,7 +20,7 @@ impl std::error::Error for Error {}
 
 /// `text` ends with a zero.
 pub(crate) fn text(text: *const c_char) -> String {
-    // SAFETY: every string of the C interface is not NULL and ends with a zero.
+    // SAFETY: no string of the C interface is NULL, and each ends with a zero.
     unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned()
 }
 

@@ -40,7 +40,7 @@ pub use motion::{Link, Motion, Pose};
 pub use shape::Shape;
 pub use world::{AtStart, BodyId, Query, World};
 
-/// Of the library that is linked, "0.1.0".
+/// The version of the library that is linked, such as "0.1.0".
 pub fn version() -> String {
     // SAFETY: the library's string lives as long as the program.
     error::text(unsafe { sys::tamis_version() })

@@ -12,11 +12,12 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// Of a quaternion w x y z, as engines keep it, also in floats: with the nearest rotation. Refuses what is none (|q|^2
-    /// off from 1 by more than 1e-4), and numbers that are not finite.
+    /// The pose of a quaternion (w x y z), as engines keep it, also in floats: its rounding errors are removed by
+    /// taking the nearest rotation. Refuses a quaternion that is off by more (|q|^2 from 1 by more than 1e-4), and
+    /// numbers that are not finite.
     pub fn of_quaternion(quaternion: [f64; 4], position: [f64; 3]) -> Result<Pose, Error> {
         let mut pose = Pose::default();
-        // SAFETY: four numbers, and three.
+        // SAFETY: the quaternion has four numbers, the position three.
         let status = unsafe { sys::tamis_pose_of_quaternion(quaternion.as_ptr(), position.as_ptr(), &mut pose) };
         check(status, || {
             format!("{quaternion:?} at {position:?} is no pose: give a quaternion of unit length and finite numbers")
@@ -24,10 +25,11 @@ impl Pose {
         Ok(pose)
     }
 
-    /// Where these links, of one chain, take their body at a time in [0, 1], as after a step of which that part is safe.
+    /// The pose of a body that moves by this chain of links, at a time in [0, 1], for example after a step that is safe
+    /// until then.
     pub fn on(chain: &[Link], time: f64) -> Result<Pose, Error> {
         let mut pose = Pose::default();
-        // SAFETY: as many links as it says.
+        // SAFETY: the array has as many links as the call says.
         let status = unsafe { sys::tamis_pose_at(chain.as_ptr(), chain.len(), time, &mut pose) };
         check(status, || format!("no pose at {time} of {chain:?}: give finite numbers and a time in [0, 1]"))?;
         Ok(pose)
@@ -47,9 +49,10 @@ pub struct Link {
 /// How a body moves during a step.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Motion {
-    /// Stays. Two bodies that stay are never asked about.
+    /// The body stays at this pose. No question looks at two bodies that stay.
     At(Pose),
-    /// As a whole, by a chain of links: a point goes through the last one first. None: at rest where it is given.
+    /// The body moves as a whole, by a chain of links: a point goes through the last link first. No links: it stays
+    /// where its points are given.
     Along(Vec<Link>),
     /// Each vertex goes straight from its place in `start` to its place in `end`.
     Deforming {
@@ -61,23 +64,23 @@ pub enum Motion {
 }
 
 impl Motion {
-    /// Stays there.
+    /// The motion of a body that stays at this pose.
     pub fn at(pose: Pose) -> Motion {
         Motion::At(pose)
     }
 
-    /// Position and rotation vector linear in t.
+    /// The body moves with position and rotation vector linear in t.
     pub fn interpolated(start: Pose, end: Pose) -> Motion {
         Motion::Along(vec![Link { start, end }])
     }
 
-    /// `center`, a point in the body's own frame, goes straight; the body turns about it at constant speed about a fixed
-    /// axis, by the shorter way. Engines take the centre of mass.
+    /// From one pose to the other, by the shorter turn about a fixed axis, at constant speed, while `center`, a point
+    /// in the body's own frame, goes straight. Engines take the centre of mass.
     pub fn between(start: &Pose, end: &Pose, center: [f64; 3]) -> Result<Motion, Error> {
         links_of(|links| unsafe { sys::tamis_between(start, end, center.as_ptr(), links) })
     }
 
-    /// The same by the given turn, of any angle: a rotation vector in the frame of the world. `center` goes to
+    /// The same by the given turn, of any angle: a rotation vector in the frame of the world. `center` goes straight to
     /// `end_position`.
     pub fn turned(start: &Pose, turn: [f64; 3], end_position: [f64; 3], center: [f64; 3]) -> Result<Motion, Error> {
         links_of(|links| unsafe {

@@ -9,7 +9,7 @@ pub struct Shape {
     pub(crate) vertex_count: usize,
 }
 
-// SAFETY: never changed after it was made.
+// SAFETY: a shape never changes after it is made.
 unsafe impl Send for Shape {}
 unsafe impl Sync for Shape {}
 
@@ -23,8 +23,8 @@ impl Drop for Mesh {
 }
 
 impl Shape {
-    /// Triangles by the numbers of their corners in `points`. Refuses numbers out of range, and points that are not
-    /// finite.
+    /// `faces`: triangles by the numbers of their corners in `points`. Refuses numbers out of range, and points that
+    /// are not finite.
     pub fn new(points: &[[f64; 3]], faces: &[[i32; 3]]) -> Result<Shape, Error> {
         let input = sys::tamis_mesh_input {
             size: size_of::<sys::tamis_mesh_input>(),
@@ -39,7 +39,7 @@ impl Shape {
             text(unsafe { sys::tamis_mesh_message(mesh.0) })
         })?;
         let mut shape = Shape { handle: null_mut(), vertex_count: points.len() };
-        // SAFETY: as many points as the mesh has vertices; copied.
+        // SAFETY: there are as many points as the mesh has vertices; the call copies them.
         check(unsafe { sys::tamis_shape_create(mesh.0, points.as_ptr().cast(), null(), &mut shape.handle) }, || {
             text(unsafe { sys::tamis_shape_message(shape.handle) })
         })?;

@@ -1,4 +1,4 @@
-//! What the crate calls of `tamis/tamis.h`, and of `adapters/rapier/clamp/clamp.h`.
+//! The parts of `tamis/tamis.h` and `adapters/rapier/clamp/clamp.h` that the crate uses.
 #![allow(non_camel_case_types)]
 use crate::answers::{Contact, Intersection, NearPair};
 use crate::motion::{Link, Pose};
@@ -18,7 +18,7 @@ pub struct tamis_world {
     _private: [u8; 0],
 }
 
-/// A struct for C with its size, all else zero.
+/// Makes all fields of a struct for C zero by default.
 macro_rules! zeroed {
     ($name:ident) => {
         impl Default for $name {
@@ -93,7 +93,7 @@ impl tamis_query_options {
     }
 }
 
-/// Of one of many motions.
+/// The first contact of one of many motions.
 #[repr(C)]
 #[derive(Clone, Copy, Default)]
 pub struct tamis_earliest {

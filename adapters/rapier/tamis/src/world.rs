@@ -6,7 +6,7 @@ use crate::sys;
 use std::ffi::c_int;
 use std::ptr::null_mut;
 
-/// Names a body of one world: 0, 1, 2, ... in the order in which they are added; never given twice.
+/// The number of a body in its world: 0, 1, 2, ... in the order in which bodies are added; never given twice.
 pub type BodyId = i32;
 
 /// What becomes of pairs that touch at t=0.
@@ -15,35 +15,35 @@ pub enum AtStart {
     /// They are contacts.
     #[default]
     Report = 0,
-    /// They count once they have come apart.
+    /// A pair is a contact only when it touches again, after a time at which it does not touch.
     Ignore = 1,
-    /// The question ends with an error, which names the first of them.
+    /// The question ends with an error, which names the first such pair.
     Fail = 2,
 }
 
-/// Of one question.
+/// Options of one question.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Query {
     /// What becomes of pairs that touch at t=0.
     pub at_start: AtStart,
-    /// Where a body turns: the widest bracket of a contact, a part of the step in (0, 1]; 0: 1e-9.
+    /// If a body turns: the widest bracket of a contact, a fraction of the step in (0, 1]; 0: 1e-9.
     pub tolerance: f64,
-    /// Pairs that come as near as this are contacts; `None`: those that touch.
+    /// The minimum separation: pairs that come as near as this are contacts. `None`: pairs that touch are.
     pub min_separation: Option<f64>,
 }
 
-/// Bodies, each with its own mesh and its own way of moving during t from 0 to 1, as it was told last.
+/// Bodies, each with its own mesh and motion. During t in [0, 1] each body moves as it was told last.
 pub struct World {
     pub(crate) handle: *mut sys::tamis_world,
-    /// Of each body that was added, by its number.
+    /// Entry i belongs to the body with the number i.
     vertex_counts: Vec<usize>,
 }
 
-// SAFETY: no thread owns what a world has.
+// SAFETY: nothing in a world belongs to one thread.
 unsafe impl Send for World {}
 
 impl World {
-    /// A world without bodies, whose questions are answered by so many threads; 0: as many as there are.
+    /// A world without bodies. `threads`: how many threads answer its questions; 0: as many as there are.
     pub fn new(threads: i32) -> Result<World, Error> {
         let options = sys::tamis_world_options {
             size: size_of::<sys::tamis_world_options>(),
@@ -57,11 +57,11 @@ impl World {
         Ok(world)
     }
 
-    /// Refuses numbers that are not finite, other than one point a vertex, and a body that turns by more than 4096
-    /// radians.
+    /// Adds a body and returns its number. Refuses numbers that are not finite, a number of points that is not the
+    /// shape's, and a body that turns by more than 4096 radians.
     pub fn add(&mut self, shape: &Shape, motion: &Motion) -> Result<BodyId, Error> {
         let mut body = -1;
-        // SAFETY: what `motions_of` points to is in `motion`; a body is one number.
+        // SAFETY: `motions_of` points into `motion`, which outlives the call; `body` is one number.
         let status = unsafe {
             sys::tamis_world_add(self.handle, shape.handle, &motions_of(motion, shape.vertex_count)?, &mut body)
         };
@@ -70,16 +70,16 @@ impl World {
         Ok(body)
     }
 
-    /// How a body moves from now on; it may begin to move in another way. Refuses a body that is not there, and as
-    /// `add`.
+    /// Tells a body its motion from now on, of the same kind or another. Refuses what `add` refuses, and a body that
+    /// does not exist.
     pub fn move_body(&mut self, body: BodyId, motion: &Motion) -> Result<(), Error> {
         // SAFETY: as in `add`.
         let status = unsafe { sys::tamis_world_move(self.handle, &body, &motions_of(motion, self.vertices_of(body))?) };
         self.checked(status)
     }
 
-    /// Where the vertices of a body are at a time in [0, 1] of its motion, on the curves that questions are about, and by
-    /// how much a coordinate is off at most: 0 where these are the very points.
+    /// Where the vertices of a body are at a time in [0, 1] of its motion, on the curves that questions are about. The
+    /// number bounds how far a coordinate is off: if it is 0 these are the very points.
     pub fn points_at(&mut self, body: BodyId, time: f64) -> Result<(Vec<[f64; 3]>, f64), Error> {
         let vertices = self.vertices_of(body);
         let (mut points, mut error) = (vec![[0.0; 3]; vertices], 0.0);
@@ -91,36 +91,37 @@ impl World {
         Ok((points, error))
     }
 
-    /// Takes a body out; its number is not given again.
+    /// Removes a body; its number is not given again.
     pub fn remove(&mut self, body: BodyId) -> Result<(), Error> {
         // SAFETY: one number.
         let status = unsafe { sys::tamis_world_remove(self.handle, &body, 1) };
         self.checked(status)
     }
 
-    /// A body that is switched off takes no part in any question.
+    /// A body that is switched off takes no part in any question until it is switched on again. Bodies begin switched
+    /// on.
     pub fn set_enabled(&mut self, body: BodyId, is_enabled: bool) -> Result<(), Error> {
         // SAFETY: one number.
         let status = unsafe { sys::tamis_world_set_enabled(self.handle, &body, 1, c_int::from(is_enabled)) };
         self.checked(status)
     }
 
-    /// Half of a body's thickness, >= 0, at first 0: contact means a distance of at most the minimum separation plus both
-    /// radii.
+    /// Half of a body's thickness, >= 0; 0 at first. Two bodies are in contact where their distance is at most the
+    /// minimum separation plus both radii.
     pub fn set_radius(&mut self, body: BodyId, radius: f64) -> Result<(), Error> {
         // SAFETY: one number.
         let status = unsafe { sys::tamis_world_set_radius(self.handle, &body, 1, radius) };
         self.checked(status)
     }
 
-    /// May two bodies, or a deforming one with itself, touch at all? At first all may.
+    /// Sets whether two bodies, or a deforming body with itself, may touch. At first all may.
     pub fn set_may_touch(&mut self, a: BodyId, b: BodyId, may_touch: bool) -> Result<(), Error> {
         // SAFETY: one pair.
         let status = unsafe { sys::tamis_world_set_may_touch(self.handle, [a, b].as_ptr(), 1, c_int::from(may_touch)) };
         self.checked(status)
     }
 
-    /// Every pair of features that touches during the step, by kind, then bodies and vertices.
+    /// All contacts, sorted by kind, then bodies and vertices.
     pub fn contacts(&mut self, query: &Query) -> Result<Vec<Contact>, Error> {
         let mut count = 0;
         // SAFETY: pointers to locals.
@@ -129,7 +130,7 @@ impl World {
         self.copied(count, sys::tamis_world_copy_contacts)
     }
 
-    /// The first of them: how far all may go.
+    /// The first contact: how far all bodies may go.
     pub fn earliest(&mut self, query: &Query) -> Result<Earliest, Error> {
         let (mut lower, mut upper, mut count) = (0.0, 0.0, 0);
         // SAFETY: pointers to locals.
@@ -140,10 +141,10 @@ impl World {
         Ok(Earliest { lower, upper, contact })
     }
 
-    /// As of a planner: the first contact of each of many motions of some bodies, each named once, while all others move
+    /// For planners: the first contact of each of many motions of some bodies, each named once, while all others move
     /// as they were told. A motion has one chain for each of `bodies`, in their order; all chains have as many links.
-    /// Threads share the motions; each answer has the bits that it has alone. The bodies themselves go on moving as they
-    /// were told.
+    /// Threads share the motions; each answer has the bits that it has alone. Afterwards the bodies have the motions of
+    /// before.
     pub fn earliest_many(
         &mut self,
         bodies: &[BodyId],
@@ -180,7 +181,7 @@ impl World {
         Ok(answers.into_iter().map(earliest_of).collect())
     }
 
-    /// Is there none? Then that is proven.
+    /// Is the whole step free of contacts? True is proven.
     pub fn is_free(&mut self, query: &Query) -> Result<bool, Error> {
         let mut is_free = 0;
         // SAFETY: pointers to locals.
@@ -207,7 +208,7 @@ impl World {
         self.copied(count, sys::tamis_world_copy_intersections)
     }
 
-    /// Are there any? Ends at the first.
+    /// Is there any intersection? Ends at the first one.
     pub fn has_intersection(&mut self) -> Result<bool, Error> {
         let mut has_one = 0;
         // SAFETY: a pointer to a local.
@@ -216,17 +217,17 @@ impl World {
         Ok(has_one != 0)
     }
 
-    /// 0 of a body that was never added.
+    /// The number of vertices of a body; 0 for one that was never added.
     fn vertices_of(&self, body: BodyId) -> usize {
         usize::try_from(body).ok().and_then(|i| self.vertex_counts.get(i)).copied().unwrap_or(0)
     }
 
     pub(crate) fn checked(&self, status: c_int) -> Result<(), Error> {
-        // SAFETY: the sentence is of the call just made.
+        // SAFETY: the message is that of the call just made.
         check(status, || text(unsafe { sys::tamis_world_message(self.handle) }))
     }
 
-    /// The rows of the last answer, by the function that hands them out.
+    /// The rows of the last answer; `copy` is the function that copies them.
     pub(crate) fn copied<Row: Clone + Default>(
         &mut self,
         count: usize,
@@ -251,7 +252,7 @@ fn options_of(query: &Query) -> sys::tamis_query_options {
     sys::tamis_query_options::new(query.min_separation.as_ref(), query.at_start as i32, query.tolerance)
 }
 
-/// Of one body of so many vertices.
+/// The motion of one body with this number of vertices.
 fn motions_of(motion: &Motion, vertices: usize) -> Result<sys::tamis_motions, Error> {
     let mut motions =
         sys::tamis_motions { size: size_of::<sys::tamis_motions>(), count: 1, ..sys::tamis_motions::default() };
@@ -271,7 +272,7 @@ fn motions_of(motion: &Motion, vertices: usize) -> Result<sys::tamis_motions, Er
     Ok(motions)
 }
 
-/// The links of all chains, one after the other, and how many each has.
+/// The links of all chains, one chain after the other, and how many links each chain has.
 fn chains_of(bodies: &[BodyId], motions: &[Vec<Motion>]) -> Result<(Vec<Link>, usize), Error> {
     let refuse = |message| Err(Error { status: INVALID_STEP, message });
     let (mut links, mut of_each) = (Vec::new(), None);

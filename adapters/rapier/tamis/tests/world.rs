@@ -1,4 +1,4 @@
-//! Every question and every refusal once; the answers are those of the C++ tests' kind.
+//! Asks every question and meets every refusal once; the expected answers are like those of the C++ tests.
 use tamis::{AtStart, BodyId, Error, Motion, Pose, Query, Shape, World};
 
 const INVALID_MESH: i32 = 2;

@@ -45,7 +45,7 @@ pub struct Throw {
     seconds: f32,
     /// The body can only turn about z.
     on_axle: bool,
-    /// Has the body passed through? Is true if a pose can be reached in no other way.
+    /// Has the body passed through? True if a pose can be reached in no other way.
     is_through: Judge,
 }
 
@@ -75,8 +75,8 @@ fn vector(p: [f64; 3]) -> Vector {
     Vector::new(p[0] as f32, p[1] as f32, p[2] as f32)
 }
 
-/// A plate of 30 x 20 x 4 cm, at 20 to 120 m/s, turning at up to some 100 rad/s about any axis, against a wall of 2 x 2 m
-/// and 128 triangles.
+/// A plate of 30 x 20 x 4 cm, at 20 to 120 m/s, turning at up to some 100 rad/s about any axis, against a wall of 2 x 2
+/// m and 128 triangles.
 pub fn spinning_plates(count: usize) -> Vec<Throw> {
     let mut random = Random(rand_mt::Mt::new(1));
     let throws = (0..count).map(|_| {

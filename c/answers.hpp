@@ -1,4 +1,4 @@
-// Answers as C has them, of a detector and of a world.
+// Converts answers of a detector and of a world to C's structs.
 #pragma once
 #include <algorithm>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace tamis::c {
 
-/// What a world says is about two bodies, what a detector says about none.
+/// Writes the two bodies of a world's answer; -1 for a detector's.
 template <class Answer>
 void write_bodies(const Answer& answer, int32_t* bodies) {
   if constexpr (requires { answer.bodies; })
@@ -18,7 +18,7 @@ void write_bodies(const Answer& answer, int32_t* bodies) {
     std::fill_n(bodies, 2, -1);
 }
 
-/// Of a Contact or a BodyContact; so of those below.
+/// From a Contact or a BodyContact; the functions below likewise.
 template <class AnyContact>
 tamis_contact contact_of(const AnyContact& c) {
   tamis_contact contact{
@@ -47,7 +47,7 @@ tamis_intersection intersection_of(const AnyIntersection& i) {
   return result;
 }
 
-/// Of a SafeStep or a BodyStep.
+/// From a SafeStep or a BodyStep.
 template <class AnySafeStep>
 tamis_safe_step answer_of(const AnySafeStep& safe) {
   tamis_safe_step answer{};
@@ -58,7 +58,7 @@ tamis_safe_step answer_of(const AnySafeStep& safe) {
   return answer;
 }
 
-/// `names` keeps those of the stages.
+/// `names` keeps the names of the stages.
 tamis_statistics statistics_of(const Statistics& s, std::vector<std::string>& names);
 
 }  // namespace tamis::c

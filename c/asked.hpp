@@ -1,4 +1,4 @@
-// Handles that are asked, a detector and a world: what all calls with them share.
+// The common part of handles that answer questions, of a detector and of a world.
 #pragma once
 #include <optional>
 #include <string>
@@ -12,8 +12,8 @@
 
 namespace tamis::c {
 
-/// What it answered last; rows of `contacts` are of the last question about motion: none unless
-/// it was for contacts or the earliest one.
+/// The handle of a detector or world, and its last answers. `contacts` is empty unless the last question about motion
+/// was for contacts or the earliest one.
 template <class Asked, class ContactRow, class NearRow, class IntersectionRow>
 struct AskedHandle {
   Outcome outcome;
@@ -22,10 +22,10 @@ struct AskedHandle {
   std::vector<ContactRow> contacts;
   std::vector<NearRow> near;
   std::vector<IntersectionRow> intersections;
-  std::vector<std::string> stage_names;  ///< ended by zeros, as C wants them
+  std::vector<std::string> stage_names;  ///< each ends with a zero, as C requires
 };
 
-/// Runs `work(handle)` unless another call with the handle is running: then its outcome belongs to that one.
+/// Runs `work(handle)`, unless another call with the handle is running: that call keeps the handle's outcome.
 template <class Handle, class Work>
 tamis_status with(Handle* handle, const Work& work) noexcept {
   if (!handle) return TAMIS_INVALID_ARGUMENT;
@@ -38,7 +38,7 @@ tamis_status with(Handle* handle, const Work& work) noexcept {
   }
 }
 
-/// Of one question; none: the detector's.
+/// The separation of one question; none if it is the detector's.
 inline std::optional<double> separation(const double* given) {
   return given ? std::optional<double>(*given) : std::nullopt;
 }
@@ -49,7 +49,7 @@ inline AtStart at_start(int32_t given) {
   return static_cast<AtStart>(given);
 }
 
-/// Where the earliest contact goes.
+/// Where a call writes the times of the earliest contact.
 struct FirstTimes {
   double *toi_lower, *toi_upper;
   std::size_t* count;
@@ -67,14 +67,14 @@ inline FirstTimes first_times(double* toi_lower, double* toi_upper, std::size_t*
   return {&required(toi_lower, "toi_lower"), &required(toi_upper, "toi_upper"), &required(count, "count")};
 }
 
-/// Where a caller wants part of an answer.
+/// The rows of an answer that a caller wants, and the array for them.
 struct Destination {
   std::size_t first, count;
   void* array;
   std::size_t element_size;
 };
 
-/// Copies rows of an answer, each as `convert` gives it to C.
+/// Copies rows of an answer, each converted by `convert`.
 template <class Row, class Convert>
 void copy_rows(const std::vector<Row>& rows, const Convert& convert, const Destination& to, const char* name) {
   if (to.first > rows.size() || to.count > rows.size() - to.first)

@@ -1,4 +1,4 @@
-// What every handle has: the outcome of the last call with it, and the one place where exceptions become codes.
+// The outcome of the last call, which every handle has, and the one place where exceptions become codes.
 #pragma once
 #include <array>
 #include <charconv>
@@ -12,12 +12,12 @@
 
 namespace tamis::c {
 
-/// An argument that no later layer could refuse: a pointer that is NULL, a size that cannot be.
+/// An argument that no later layer could refuse: a pointer that is NULL, or a size out of range.
 struct InvalidArgument : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// As short as it can be so that it reads back as the same double.
+/// The shortest text that reads back as the same double.
 inline std::string text_of(double number) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
@@ -50,7 +50,7 @@ class Outcome {
 inline constexpr const char* kOutOfMemory =
     "out of memory: look at the counts that were given, or ask for less at once";
 
-/// The code and the sentence of the exception in flight.
+/// Records the code and the message of the exception in flight.
 inline void record_exception(Outcome& outcome) noexcept {
   try {
     throw;
@@ -70,7 +70,7 @@ inline void record_exception(Outcome& outcome) noexcept {
     outcome.fail(TAMIS_CANCELLED, e.what());
   } catch (const std::bad_alloc&) {
     outcome.fail(TAMIS_OUT_OF_MEMORY, kOutOfMemory);
-  } catch (const std::length_error&) {  // of a container that could never be so long
+  } catch (const std::length_error&) {  // thrown by a container that could never be so long
     outcome.fail(TAMIS_OUT_OF_MEMORY, kOutOfMemory);
   } catch (const std::exception& e) {
     outcome.fail(TAMIS_FAILED, e.what());
@@ -91,7 +91,7 @@ tamis_status attempt(Outcome& outcome, const Work& work) noexcept {
   return outcome.status();
 }
 
-/// Makes a handle, then `fill`s it; the handle outlives a failure, so that its sentence can be read.
+/// Makes a handle, then `fill`s it. A handle that could not be filled remains, so that its message can be read.
 template <class Handle, class Fill>
 tamis_status make_handle(Handle** handle, const Fill& fill) noexcept {
   if (!handle) return TAMIS_INVALID_ARGUMENT;

@@ -1,4 +1,4 @@
-// Kinds of pairs as C gives them.
+// Converts kinds of pairs from C.
 #pragma once
 #include <string>
 

@@ -38,7 +38,7 @@ const int32_t* first_index(std::span<const Row> rows, std::size_t* count) {
   return rows.empty() ? nullptr : reinterpret_cast<const int32_t*>(rows.data());
 }
 
-/// Runs `work(mesh)`, unless it could not be made: then the handle still says why.
+/// Runs `work(mesh)`, unless the mesh could not be made: then the handle keeps the message that says why.
 template <class Work>
 tamis_status with_mesh(tamis_mesh* handle, const Work& work) noexcept {
   if (!handle) return TAMIS_INVALID_ARGUMENT;
@@ -46,7 +46,7 @@ tamis_status with_mesh(tamis_mesh* handle, const Work& work) noexcept {
   return attempt(handle->outcome, [&] { work(*handle->mesh); });
 }
 
-/// Writes the place of each row, as `place_of` finds it.
+/// Writes the place of each row, which `place_of` finds.
 template <class Row, class PlaceOf>
 tamis_status find(tamis_mesh* handle, const int32_t* indices, std::size_t count, int32_t* places,
                   const PlaceOf& place_of) noexcept {

@@ -12,7 +12,7 @@ struct tamis_mesh {
 
 namespace tamis::c {
 
-/// Throws InvalidMesh where there is none.
+/// Throws InvalidMesh if the mesh could not be made.
 inline const Mesh& made(const tamis_mesh* mesh) {
   if (!required(mesh, "mesh").mesh)
     throw InvalidMesh("the mesh could not be made: " + std::string(mesh->outcome.message()));

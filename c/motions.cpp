@@ -5,7 +5,7 @@
 namespace tamis::c {
 namespace {
 
-/// So many rows for each of so many bodies, or links.
+/// count * of_each: rows of bodies, or links of bodies. Refuses more than any array has.
 std::size_t product(std::size_t count, std::size_t of_each, const char* name) {
   check_count(of_each, name);
   if (of_each > 0) check_count(count > (std::size_t{1} << 48U) / of_each ? ~std::size_t{0} : count * of_each, name);

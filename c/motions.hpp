@@ -1,4 +1,4 @@
-// How bodies move, as C gives it.
+// Converts motions of bodies from C.
 #pragma once
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace tamis::c {
 
-/// One for each of `given.count` bodies.
+/// One motion for each of `given.count` bodies.
 std::vector<BodyMotion> motions_of(const tamis_motions& given);
 
 }  // namespace tamis::c

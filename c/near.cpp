@@ -1,4 +1,4 @@
-// Questions about a mesh at rest.
+// Questions about a mesh in one pose.
 #include "c/detector.hpp"
 
 namespace tamis::c {

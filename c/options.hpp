@@ -1,4 +1,4 @@
-// Options as C gives them.
+// Converts options from C.
 #pragma once
 #include <functional>
 
@@ -8,13 +8,13 @@
 
 namespace tamis::c {
 
-/// By its name; NULL: the best. Throws InvalidOptions.
+/// The instruction set with this name; NULL: Isa::best. Throws InvalidOptions.
 Isa isa_of(const char* name);
-/// `vertex_count`: of the mesh, for the arrays that have one entry a vertex. Throws InvalidOptions.
+/// `vertex_count`: that of the mesh, the length of arrays that have one entry a vertex. Throws InvalidOptions.
 Options options_of(const tamis_options& given, Index vertex_count);
 PairOptions options_of(const tamis_pair_options& given);
 Options options_of(const tamis_world_options& given);
-/// `ask`: as tamis_options::is_cancelled; none where it is NULL.
+/// The function of is_cancelled for C++; none if `ask` is NULL.
 std::function<bool()> cancelling(int (*ask)(void* user), void* user);
 
 }  // namespace tamis::c

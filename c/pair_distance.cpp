@@ -1,4 +1,4 @@
-// How far apart single pairs are, and how long one may go so as to keep a part of that.
+// Calls for the distance of single pairs, and for the time until which one keeps a fraction of it.
 #include "tamis/pair_distance.hpp"
 
 #include "c/answers.hpp"
@@ -9,7 +9,7 @@
 namespace tamis::c {
 namespace {
 
-/// As a list has it: what is refused names its pair.
+/// The distance of a pair of a list; messages of exceptions name the pair.
 NearPair distance_in_list(const std::vector<Pair>& list, std::size_t i, const Positions& at) {
   try {
     return distance_of(list[i], at);

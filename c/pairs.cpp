@@ -13,7 +13,7 @@ std::span<const Point> points_of(const double* rows, std::size_t count, const ch
   return {reinterpret_cast<const Point*>(&required(rows, name)), count};
 }
 
-/// Pairs of one kind, `corners` points each.
+/// Asks about pairs of one kind, each of `corners` points.
 template <PairKind kind, std::size_t corners>
 tamis_status ask_about(tamis_pairs* pairs, std::size_t count, const double* start, const double* end,
                        tamis_pair_result* results, std::size_t result_size) noexcept {

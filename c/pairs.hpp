@@ -1,4 +1,4 @@
-// The handle of single pairs and lists of them, and what all calls with it share.
+// The handle of single pairs and lists of them, and the common part of all calls with it.
 #pragma once
 #include <algorithm>
 #include <vector>
@@ -14,7 +14,7 @@ struct tamis_pairs {
 
 namespace tamis::c {
 
-/// Runs `work(handle)`, unless the handle could not be made: then it still says why.
+/// Runs `work(handle)`, unless the handle could not be made: then it keeps the message that says why.
 template <class Work>
 tamis_status ask(tamis_pairs* pairs, const Work& work) noexcept {
   if (!pairs) return TAMIS_INVALID_ARGUMENT;
@@ -24,7 +24,7 @@ tamis_status ask(tamis_pairs* pairs, const Work& work) noexcept {
 
 inline Pair pair_of(const tamis_pair& given) {
   Pair pair;
-  // What no kind is called must not become one when it is cut to a byte.
+  // A number that is no kind must not become one when it is cut to a byte.
   pair.kind = static_cast<PairKind>(given.kind >= 0 && given.kind < 255 ? given.kind : 255);
   std::copy_n(given.vertices, 4, pair.vertices.begin());
   return pair;

@@ -1,4 +1,4 @@
-// Paths are made: ready-made ones, and those that the caller's functions describe.
+// Makes ready-made paths, and paths that the caller's functions describe.
 #include "c/path.hpp"
 
 #include <algorithm>
@@ -65,7 +65,7 @@ tamis_status create_spline(const tamis_spline_path_input* input, tamis_path** pa
   });
 }
 
-/// As the caller's functions say.
+/// A path that calls the caller's functions.
 class FunctionPath final : public Path {
  public:
   explicit FunctionPath(const tamis_path_functions& functions) : functions_(functions) {
@@ -90,7 +90,7 @@ class FunctionPath final : public Path {
 
 Point center_of(const double* center) { return center ? point_of(center) : Point{0, 0, 0}; }
 
-/// Writes the pose that `make` gives of a position, in a call without a handle.
+/// Writes the pose that `make(position)` returns, in a call without a handle.
 template <class Make>
 tamis_status write_pose(tamis_pose* pose, const double* position, const Make& make) noexcept {
   Outcome outcome;
@@ -101,7 +101,7 @@ tamis_status write_pose(tamis_pose* pose, const double* position, const Make& ma
   });
 }
 
-/// Writes the chain that `make` gives, in a call without a handle.
+/// Writes the chain that `make` returns, in a call without a handle.
 template <class Make>
 tamis_status write_chain(tamis_link* links, const Make& make) noexcept {
   Outcome outcome;

@@ -36,7 +36,7 @@ tamis_status ask_on_path(tamis_detector* handle, const tamis_path* path, const t
   });
 }
 
-/// Runs `work(path)`, unless the path could not be made: then it still says why.
+/// Runs `work(path)`, unless the path could not be made: then the handle keeps the message that says why.
 template <class Work>
 tamis_status with_path(tamis_path* handle, const Work& work) noexcept {
   if (!handle) return TAMIS_INVALID_ARGUMENT;

@@ -1,4 +1,4 @@
-// Points, poses and links as C gives them.
+// Converts points, poses and links from C.
 #pragma once
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace tamis::c {
 
-/// NULL is no array, unless it has no elements.
+/// Refuses NULL, unless the array has no elements.
 template <class T>
 const T* array(const T* first, std::size_t count, const char* name) {
   return count > 0 ? &required(first, name) : first;

@@ -1,5 +1,4 @@
-// What goes over the border: structs that can grow, as the caller's may be older or newer than the library's, and
-// arrays.
+// Reads and writes the caller's structs, which may be older or newer than the library's, and arrays.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -13,7 +12,7 @@
 
 namespace tamis::c {
 
-/// No struct grows beyond this: what is larger was never set.
+/// No struct grows beyond this; a larger size was never set.
 inline constexpr std::size_t kMostBytes = 1U << 16U;
 
 inline void check_size(std::size_t size, std::size_t least, const char* name) {
@@ -21,13 +20,13 @@ inline void check_size(std::size_t size, std::size_t least, const char* name) {
     throw InvalidArgument(std::string(name) + " has the size " + std::to_string(size) + ": set it to sizeof");
 }
 
-/// More rows than any address space holds: a negative number, or one that was never set. Refused before one is read.
+/// Refuses a count beyond any address space before a row is read: it is a negative number, or was never set.
 inline void check_count(std::size_t count, const char* name) {
   if (count >> 48U != 0)
     throw InvalidArgument(std::string(name) + " is " + std::to_string(count) + ": give a number of rows below 2^48");
 }
 
-/// What the library knows of a caller's struct; what the caller does not know of is zero.
+/// The library's fields of a caller's struct; fields that the caller does not know are zero.
 template <class T>
 T read_sized(const T* given, const char* name) {
   static_assert(std::is_trivially_copyable_v<T> && offsetof(T, size) == 0);
@@ -43,7 +42,7 @@ T read_sized(const T* given, const char* name) {
   return known;
 }
 
-/// Writes as much of an answer as the caller's struct has room for.
+/// Writes the fields of an answer for which the caller's struct has room.
 template <class T>
 void write_sized(T answer, T* to, const char* name) {
   static_assert(std::is_trivially_copyable_v<T> && offsetof(T, size) == 0);
@@ -54,8 +53,8 @@ void write_sized(T answer, T* to, const char* name) {
   std::memcpy(to, &answer, std::min(size, sizeof(T)));
 }
 
-/// Element `i` of a caller's array whose elements may be shorter or longer than the library's; longer ones end in
-/// zeros.
+/// Writes element `i` of a caller's array whose elements may be shorter or longer than the library's; longer ones end
+/// in zeros.
 template <class T>
 void write_element(const T& element, void* array, std::size_t i, std::size_t element_size) {
   unsigned char* to = static_cast<unsigned char*>(array) + i * element_size;
@@ -63,7 +62,7 @@ void write_element(const T& element, void* array, std::size_t i, std::size_t ele
   if (element_size > sizeof(T)) std::memset(to + sizeof(T), 0, element_size - sizeof(T));
 }
 
-/// Points as rows of three doubles.
+/// Copies points as rows of three doubles.
 inline void copy_points(const std::vector<Point>& points, double* to) {
   for (const Point& p : points) to = std::copy(p.begin(), p.end(), to);
 }

@@ -1,4 +1,4 @@
-// Positions as C gives them.
+// Converts positions and steps from C.
 #pragma once
 #include <limits>
 #include <string>
@@ -20,7 +20,7 @@ inline Positions positions(const double* rows, Index count, std::ptrdiff_t strid
   return {count > 0 ? &required(rows, name) : rows, count, stride == 0 ? 3 : stride};
 }
 
-/// For calls about pairs by themselves, which have no choice.
+/// For calls about single pairs, which report pairs that touch at t=0 and offer no choice.
 inline void refuse_at_start(const tamis_step& given) {
   if (given.at_start != TAMIS_REPORT)
     throw InvalidOptions("at_start is " + std::to_string(given.at_start) +

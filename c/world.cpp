@@ -1,4 +1,4 @@
-// A world is made, and told which bodies there are and how they move.
+// Makes shapes and worlds; adds, moves and changes bodies.
 #include "c/world.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ const Shape& made(const tamis_shape* shape) {
   return *shape->shape;
 }
 
-/// Each once, as the second time it may be gone.
+/// Refuses bodies that are named twice: the second time the body may be gone.
 void refuse_twice(std::span<const BodyId> bodies) {
   std::vector<BodyId> ordered(bodies.begin(), bodies.end());
   std::sort(ordered.begin(), ordered.end());
@@ -27,14 +27,14 @@ void refuse_twice(std::span<const BodyId> bodies) {
     throw InvalidOptions("body " + std::to_string(*twice) + " is named twice: give each once");
 }
 
-/// Runs `work(world)`. One that is not there is refused before anything has changed.
+/// Runs `work(world)`. A body that does not exist is refused before anything changes.
 template <class Work>
 void change(World& world, std::span<const BodyId> bodies, const Work& work) {
   for (const BodyId body : bodies) static_cast<void>(world.motion(body));
   work(world);
 }
 
-/// All or none.
+/// Adds all bodies or none; writes their numbers.
 void add(World& world, const Shape& shape, std::vector<BodyMotion> motions, int32_t* numbers) {
   std::vector<BodyId> added;
   try {
@@ -46,7 +46,7 @@ void add(World& world, const Shape& shape, std::vector<BodyMotion> motions, int3
   std::copy(added.begin(), added.end(), numbers);
 }
 
-/// All or none.
+/// Moves all bodies or none.
 void move(World& world, std::span<const BodyId> bodies, std::vector<BodyMotion> motions) {
   std::vector<BodyMotion> before;
   try {

@@ -1,4 +1,4 @@
-// The command `tamis-mpi`: the verbs of `tamis` that many ranks can answer together.
+// The command `tamis-mpi`: those verbs of `tamis` that many ranks can answer together.
 #include <fcntl.h>
 #include <mpi.h>
 #include <unistd.h>
@@ -14,7 +14,7 @@
 namespace tamis::distributed {
 namespace {
 
-/// All ranks say the same, so one is enough.
+/// Silences this rank: all ranks print the same, and one is enough.
 void be_silent() {
   const int nowhere = open("/dev/null", O_WRONLY);
   if (nowhere < 0) return;
@@ -23,8 +23,9 @@ void be_silent() {
   close(nowhere);
 }
 
-/// At the end every rank comes here, after an error too, for errors are agreed upon. If one fails alone (it had no
-/// memory to agree), the others wait for it elsewhere, for ever: false, after some time.
+/// Returns true when all ranks have called it. Every rank comes here at the end, also after an error, as errors are
+/// agreed upon. Returns false after some time if this rank has failed alone (it had no memory to agree): then the
+/// others wait for it elsewhere, for ever.
 bool all_have_come(bool has_failed) {
   constexpr auto kPatience = std::chrono::seconds(10);
   const auto start = std::chrono::steady_clock::now();
@@ -62,7 +63,7 @@ int main(int argc, char** argv) {
     const int code = distributed::run(argc, argv);
     if (!distributed::all_have_come(code == tamis::cli::kError)) MPI_Abort(MPI_COMM_WORLD, code);
     MPI_Finalize();
-    // mpirun passes on the code of one rank, and complains of each that is not zero.
+    // mpirun passes on the exit code of one rank, and complains about each rank whose code is not zero.
     return rank == 0 ? code : 0;
   } catch (const std::exception& error) {
     return tamis::cli::fail(error.what());

@@ -13,7 +13,7 @@ namespace tamis::distributed {
 namespace {
 
 constexpr std::size_t kLongestHeader = 1 << 16;
-/// A length in one byte and three indices.
+/// One byte for the number of corners, and three indices.
 constexpr std::size_t kTriangleBytes = 1 + 3 * sizeof(Index);
 
 std::string read_bytes(std::ifstream& file, std::uint64_t first, std::uint64_t count) {
@@ -44,7 +44,7 @@ bool can_be_read_in_parts(const io::PlyHeader& header) {
          header.elements.size() == 2 && has_rows_of_one_size(header.elements[0]) && holds_triangles(header.elements[1]);
 }
 
-/// The same file with these rows of vertices alone, so that the ordinary reader reads them.
+/// The text of a PLY file with these rows of vertices and nothing else, for the ordinary reader.
 std::string file_of_vertices(std::string_view header, const io::PlyElement& vertex, std::uint64_t count,
                              const std::string& rows) {
   const std::string announced = "element vertex " + std::to_string(vertex.count);

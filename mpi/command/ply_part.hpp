@@ -1,4 +1,4 @@
-// A block of the rows of a PLY file, read without the rest.
+// Reads a block of the rows of a PLY file without the rest.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -24,8 +24,8 @@ struct PlyPart {
   std::vector<Face> triangles;
 };
 
-/// None if this is not a binary PLY file of vertices and triangles alone, or has any error: then whoever reads it whole
-/// says what it is.
+/// Returns none unless this is a binary PLY file of vertices and triangles alone, without any error. Then read the
+/// whole file by the ordinary reader, which says what is wrong.
 std::optional<PlyPart> read_ply_part(const std::string& path, const Block& block);
 
 }  // namespace tamis::distributed

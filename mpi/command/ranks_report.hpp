@@ -1,4 +1,4 @@
-// What the ranks did, for people and as JSON.
+// Statistics of all ranks, for people and as JSON.
 #pragma once
 #include "cli/report.hpp"
 #include "mpi/command/step_parts.hpp"
@@ -9,12 +9,12 @@ namespace tamis::distributed {
 
 class RanksReport {
  public:
-  /// Collective: the statistics of all ranks' last question.
+  /// Collective: gathers all ranks' statistics of the last question.
   RanksReport(Communicator& communicator, const Detector& detector);
 
-  /// A row a rank, and the balance.
+  /// Prints a row for each rank, and the balance.
   void print() const;
-  /// Adds ranks and balance.
+  /// Adds a row for each rank, and the balance.
   void add_to(cli::Json& json) const;
 
  private:
@@ -22,10 +22,10 @@ class RanksReport {
   Balance balance_;
 };
 
-/// Collective: of the contacts of all ranks.
+/// Collective: the tally of the contacts of all ranks.
 cli::Tally tally_of_all(Communicator& communicator, const std::vector<Contact>& contacts);
 void print_mesh(const StepParts& parts);
-/// Adds seconds, mesh, and the options that decided.
+/// Adds the minimum separation, and the size of the mesh.
 void add_facts(cli::Json& json, const StepParts& parts, const Options& options);
 
 }  // namespace tamis::distributed

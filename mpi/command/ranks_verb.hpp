@@ -1,4 +1,4 @@
-// What the verbs of one step have in common: parts are read, all ranks ask, rank 0 prints (main.cpp).
+// The common part of verbs about one step: ranks read their parts, all ranks ask, and rank 0 prints (main.cpp).
 #pragma once
 #include "cli/verbs/step_verb.hpp"
 #include "mpi/command/ranks_report.hpp"
@@ -8,7 +8,7 @@ namespace tamis::distributed {
 
 class RanksVerb : public cli::StepVerb {
  protected:
-  /// Collective: `ask(detector, step)`, as often as the caller wants.
+  /// Collective: reads the parts, makes the detector, and calls `ask(detector, step)` as often as the user wants.
   template <class Ask>
   void ask_all(Communicator& communicator, const Ask& ask) {
     const Options options = this->options();
@@ -17,7 +17,7 @@ class RanksVerb : public cli::StepVerb {
     for (int run = 0; run < repeat_; ++run) ask(*detector_, parts_.step());
   }
 
-  /// Collective. `add` and `print` say the answer.
+  /// Collective. Reports the answer, by `add(json)` or `print()`, then the ranks' statistics.
   template <class Add, class Print>
   void report(Communicator& communicator, const Add& add, const Print& print) {
     const RanksReport ranks(communicator, *detector_);

@@ -18,9 +18,8 @@ struct StepParts {
   Step step() const { return {start, end}; }
 };
 
-/// Collective. Each rank gets a block of the vertices and one of each kind of features. Of binary PLY files of
-/// triangles it reads no more than that; other files are read whole by every rank. Throws io::FileError, as Error, on
-/// all ranks.
+/// Collective. Each rank gets a block of the vertices and a block of each kind of features. Binary PLY files of
+/// triangles are read by blocks; every rank reads all other files whole. Throws io::FileError, as Error, on all ranks.
 StepParts read_step_parts(Communicator& communicator, const std::string& start, const std::string& end, double scale);
 
 }  // namespace tamis::distributed

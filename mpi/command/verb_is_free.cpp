@@ -1,4 +1,4 @@
-// tamis-mpi is-free: is the step free of contacts? The exit code says so.
+// tamis-mpi is-free: is the step free of contacts? Answers by exit code, too.
 #include "cli/answers.hpp"
 #include "cli/start_check.hpp"
 #include "mpi/command/ranks_verb.hpp"

@@ -1,4 +1,4 @@
-// tamis-mpi sequence: the contacts of each pair of consecutive frames, a run of steps a rank.
+// tamis-mpi sequence: the contacts of each pair of consecutive frames; each rank has a run of steps.
 #include "cli/verbs/sequence_steps.hpp"
 #include "cli/verbs/sequence_verb.hpp"
 #include "mpi/command/ply_part.hpp"
@@ -8,7 +8,7 @@
 namespace tamis::distributed {
 namespace {
 
-/// Frames as files are few: every rank looks at their list, and reads those of its own steps.
+/// Every rank lists the files of all frames, which are few, and reads those of its own steps.
 class Sequence final : public cli::SequenceVerb {
  public:
   const char* name() const override { return "sequence"; }

@@ -88,7 +88,7 @@ class Detector {
   bool is_free(const Step& step, const QueryOptions& = {});
   SafeStep safe_step(const Step& step, double keep = 0.1, const QueryOptions& = {});
 
-  /// The largest number of a vertex that any rank uses, plus 1.
+  /// The largest number of a vertex that any rank gives or uses, plus 1.
   Index vertex_count() const;
   /// Cost and balance of the last question. Both throw Busy while a question is answered.
   const Statistics& statistics() const;

@@ -40,7 +40,7 @@ std::vector<std::uint32_t> BoxTree::leaves_that_meet(const BoxTree& other, const
   return found;
 }
 
-/// Of `others` those that may matter to `node`; these and it one level further down, until both are leaves.
+/// Goes on with those of `others` that may matter to `node`: both sides go down one level, until both are leaves.
 template <class Test>
 void BoxTree::visit(std::size_t level, std::uint32_t node, const BoxTree& other, std::size_t other_level,
                     const Nodes& others, const Test& may_matter, Nodes& found) const {

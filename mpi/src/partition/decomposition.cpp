@@ -88,7 +88,7 @@ void Decomposition::send_motions(const ElementSet& input) {
       outgoing.push_back({share.rank, packer.take()});
     }
   });
-  // Both ends are by rank: whoever sent elements sends their motions.
+  // Messages and received_ are both sorted by rank: each rank that sent elements sends their motions.
   const std::vector<Message> incoming = exchange(communicator_, std::move(outgoing));
   for (std::size_t i = 0; i < incoming.size(); ++i) {
     Unpacker unpacker(incoming[i].bytes);

@@ -1,5 +1,5 @@
-// Who searches among which elements: a decomposition by space, for contact alone, that has nothing to do with what rank
-// the caller keeps an element on. It is kept from step to step while work is balanced; only positions are sent then.
+// Which rank searches among which elements: a decomposition by space, for contact alone, independent of the rank that
+// gives an element. It is kept from step to step while work is balanced; then only positions are sent.
 #pragma once
 #include <vector>
 
@@ -12,20 +12,19 @@ class Decomposition {
  public:
   explicit Decomposition(Communicator& communicator) : communicator_(communicator) {}
 
-  /// Collective. Cuts space anew by where elements are in the middle of what they sweep over, each with the weight that
-  /// was reported for it last, and sends every element to its owner. `input`: with motions, the same ones at every
-  /// call.
+  /// Collective. Cuts space anew, by the middle of the region that each element sweeps over and by the weight last
+  /// reported for it, and sends every element to its owner. `input`: with motions; the same elements at every call.
   void decompose(const ElementSet& input);
   /// Collective. Sends owners the motions of their vertices.
   void send_motions(const ElementSet& input);
-  /// Collective. What each owned element weighed, for the next cuts.
+  /// Collective. Reports a weight for each owned element, for the next cuts.
   void report_weights(const std::vector<std::uint64_t>& weights);
 
-  /// With ids and motions; near elements are near each other in it.
+  /// The elements that this rank owns, with ids and motions, in a spatial order.
   const ElementSet& own() const { return own_; }
 
  private:
-  /// What this rank sent to an owner, or an owner received from it.
+  /// The elements that this rank sent to one owner, or as owner received from one rank.
   struct Share {
     int rank;
     std::vector<std::uint32_t> elements;  ///< places
@@ -37,7 +36,7 @@ class Decomposition {
 
   Communicator& communicator_;
   bool is_ordered_ = false;
-  std::vector<std::uint64_t> weights_;  ///< of the input's elements
+  std::vector<std::uint64_t> weights_;  ///< one for each element of the input
   std::vector<Share> sent_, received_;
   ElementSet own_;
 };

@@ -1,5 +1,5 @@
 // Elements of the mesh with all that a search among them needs: triangles, loose edges and loose points, each with its
-// edges and corners, so that no feature is ever without what it belongs to.
+// edges and corners. So a feature never comes without the element to which it belongs.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -12,11 +12,11 @@
 
 namespace tamis::distributed {
 
-/// Of a vertex of the whole mesh.
+/// A vertex of the whole mesh.
 struct Vertex {
   Index number;
   Index group;  ///< of the pair filter
-  int home;     ///< the lowest rank that gives its position; contacts go to that of their first vertex
+  int home;     ///< the lowest rank that gives its position; a contact goes to the home of its first vertex
 
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };
@@ -26,9 +26,9 @@ struct Motion {
   Point start, end;
 };
 
-/// Vertices of a triangle, in its winding, of a loose edge or of a loose point; -1 where there is none.
+/// The vertices of a triangle (in its winding), a loose edge or a loose point; unused entries are -1.
 using Corners = std::array<Index, 3>;
-/// Of the rank that owns an element, and its place there.
+/// Made from the rank that owns an element, and the element's place there.
 using ElementId = std::uint64_t;
 
 inline ElementId element_id(int rank, std::size_t place) {
@@ -38,7 +38,7 @@ inline ElementId element_id(int rank, std::size_t place) {
 
 struct ElementSet {
   std::vector<Vertex> vertices;   ///< by number
-  std::vector<Motion> motions;    ///< one a vertex, or none where it is only about topology
+  std::vector<Motion> motions;    ///< one a vertex, or none if the set is only topology
   std::vector<Corners> elements;  ///< places in `vertices`
   std::vector<ElementId> ids;     ///< one an element, or none before it has an owner
 
@@ -54,9 +54,9 @@ void for_each_corner(const Corners& corners, const F& f) {
 
 /// The elements at `places` with their vertices.
 ElementSet subset(const ElementSet& set, std::span<const std::uint32_t> places);
-/// Every element of any of the sets, and every vertex, once. REQUIRES: ids, motions.
+/// Every element and every vertex of any of the sets, once. REQUIRES: ids, motions.
 ElementSet united(std::span<const ElementSet* const> sets);
-/// Motions of the vertices that both have. REQUIRES: `to` has a place for each.
+/// Copies the motions of all vertices of `from`. REQUIRES: `to` has each of these vertices.
 void copy_motions(const ElementSet& from, ElementSet& to);
 
 void pack(Packer& packer, const ElementSet& set);

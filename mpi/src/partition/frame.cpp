@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kSides = 6;
 constexpr std::size_t kMost = 64;  ///< elements that one rank lends at a time
 
-/// How far the element reaches to each side, smaller being farther.
+/// How far an element reaches to each of six sides; a smaller number reaches farther.
 std::array<double, kSides> reach_of(const ElementSet& set, const Corners& corners) {
   std::array<double, kSides> reach;
   reach.fill(std::numeric_limits<double>::infinity());

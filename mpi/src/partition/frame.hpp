@@ -1,5 +1,5 @@
-// The elements that reach farthest on each side of the scene, lent to all: the boxes of every search, and so the last
-// bits of what it finds, are in a frame that spans the whole scene (docs/numerics.md, "Boxes").
+// Lends the elements that reach farthest on each side of the scene to all ranks. The boxes of every search, and so the
+// last bits of its answers, are in a frame that spans the whole scene (docs/numerics.md, "Boxes").
 #pragma once
 #include <set>
 
@@ -12,9 +12,10 @@ class Frame {
  public:
   explicit Frame(Communicator& communicator) : communicator_(communicator) {}
 
-  /// Elements have new places.
+  /// To be called when elements get new places.
   void forget() { lent_.clear(); }
-  /// Collective. Those that reach farthest now, of all ranks, and some that did before: a set that changes seldom.
+  /// Collective. Returns the elements of all ranks that reach farthest now, and some that did before, so that the set
+  /// seldom changes.
   ElementSet span(const ElementSet& own);
 
  private:

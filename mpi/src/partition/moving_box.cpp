@@ -18,7 +18,7 @@ void include(Box& box, const Box& other) {
   include(box, other.high);
 }
 
-/// By at least `distance`, whatever the rounding.
+/// Widens by at least `distance`, whatever the rounding.
 void widen(Box& box, double distance) {
   if (distance == 0) return;
   const double more = std::nextafter(distance * (1 + 0x1p-40), kInfinity);
@@ -32,7 +32,7 @@ Point drift_of(const Motion& motion) {
   return {motion.end[0] - motion.start[0], motion.end[1] - motion.start[1], motion.end[2] - motion.start[2]};
 }
 
-/// By more than the subtraction's rounding.
+/// Widens by more than the subtraction's rounding.
 void widen_drifts(Box& box) {
   constexpr double kRounding = 0x1p-51;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -41,12 +41,12 @@ void widen_drifts(Box& box) {
   }
 }
 
-/// Times that may still matter.
+/// The times at which two boxes may still meet.
 struct Times {
   double first, last;
 
-  /// Leaves out those at which a line from `at0` to `at1` is positive; it is off by less than 2^-40 in time, as its
-  /// ends are each rounded once. NaN leaves out nothing.
+  /// Leaves out the times at which the line from `at0` to `at1` is positive. The line's zero is off by less than 2^-40
+  /// in time, as both ends are rounded once. NaN leaves out nothing.
   void leave_out_positive(double at0, double at1) {
     constexpr double kRoom = 0x1p-40;
     if (at0 > 0 && at1 > 0) last = -1;

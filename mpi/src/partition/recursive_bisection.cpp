@@ -10,11 +10,11 @@ namespace {
 constexpr std::size_t kBins = 64;
 constexpr int kPasses = 4;
 
-/// Some parts that are still together, and where they will be cut.
+/// Parts that are still in one cell, and the cut that will divide it.
 struct Cell {
   int first_part, parts;
   std::size_t axis = 0;
-  double low = 0, high = 0;  ///< the cut lies between
+  double low = 0, high = 0;  ///< the cut lies between these
   std::uint64_t before = 0;  ///< weight below `low`
   std::uint64_t wanted = 0;  ///< weight below the cut
 
@@ -48,7 +48,7 @@ class Bisection {
   }
 
  private:
-  /// The longest of each cell.
+  /// Chooses the longest axis of each cell.
   void choose_axes() {
     std::vector<double> ends(6 * cells_.size(), HUGE_VAL);
     for (std::size_t i = 0; i < points_.size(); ++i)
@@ -80,7 +80,7 @@ class Bisection {
     }
   }
 
-  /// To the bin in which the wanted weight is reached.
+  /// Narrows each cell's bounds of the cut to the bin in which the wanted weight is reached.
   void narrow() {
     std::vector<std::uint64_t> bins(kBins * cells_.size(), 0);
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -100,7 +100,7 @@ class Bisection {
     }
   }
 
-  /// Cells with a single part stay.
+  /// Cuts all cells with more than one part.
   void cut() {
     std::vector<Cell> next;
     std::vector<std::size_t> lower_of;

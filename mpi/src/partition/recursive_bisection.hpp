@@ -1,5 +1,5 @@
-// Space cut in two again and again, so that each part has as much of the weight as its share of the ranks: Berger and
-// Bokhari 1987. All ranks find the cuts together; nobody sees the others' points.
+// Cuts space in two again and again, so that each part has its share of the weight (Berger, Bokhari 1987). All ranks
+// find the cuts together; no rank sees the others' points.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace tamis::distributed {
 
-/// Collective. The part, in [0, size of the communicator), of each of this rank's points. Equal points are in one part,
-/// on whatever ranks they are. Sums of weights must stay below 2^64.
+/// Collective. Returns for each of this rank's points its part, in [0, size of the communicator). Equal points are in
+/// one part, whatever rank has them. The sum of all weights must stay below 2^64.
 std::vector<int> bisect(Communicator& communicator, std::span<const Point> points,
                         std::span<const std::uint64_t> weights);
 

@@ -22,7 +22,7 @@ std::size_t longest_axis(std::span<const std::uint32_t> places, const std::vecto
   return longest;
 }
 
-/// About half, but whole groups of sixteen, or of 256, and so on.
+/// About half of `count`, rounded to whole groups of sixteen, or of 256, and so on.
 std::size_t half_in_groups(std::size_t count) {
   std::size_t group = BoxTree::kChildren;
   while (group * BoxTree::kChildren < count) group *= BoxTree::kChildren;

@@ -1,4 +1,4 @@
-// Elements in an order in which near ones stand side by side, in the groups that a BoxTree makes of them.
+// An order in which near elements stand side by side, in the groups that a BoxTree makes of them.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace tamis::distributed {
 
-/// Of each element the middle of what it sweeps over.
+/// For each element the middle of the region that it sweeps over.
 std::vector<Point> centers_of(const ElementSet& set);
 
-/// Places of points, space being halved again and again.
+/// The places of the points in spatial order, by halving space again and again.
 std::vector<std::uint32_t> spatial_order(const std::vector<Point>& points);
 
 }  // namespace tamis::distributed

@@ -15,7 +15,7 @@ struct MentionOfRank {
   Mention mention;
 };
 
-/// To each rank what is put for it.
+/// Collects one message for each rank.
 class Mail {
  public:
   Packer& to(int rank) { return packers_[rank]; }
@@ -36,7 +36,7 @@ std::vector<T> all_of(const Bytes& bytes) {
   return values;
 }
 
-/// By number, then rank.
+/// Sorted by number, then rank.
 std::vector<MentionOfRank> sorted_mentions(const std::vector<Message>& messages) {
   std::vector<MentionOfRank> all;
   for (const Message& message : messages)
@@ -45,7 +45,7 @@ std::vector<MentionOfRank> sorted_mentions(const std::vector<Message>& messages)
   return all;
 }
 
-/// REQUIRES: all of one vertex, by rank.
+/// REQUIRES: all mentions of one vertex, by rank.
 Entry entry_of(std::span<const MentionOfRank> mentions) {
   Entry entry{mentions[0].mention.number, 0, -1, false, false};
   for (const auto& [rank, mention] : mentions) {
@@ -58,7 +58,7 @@ Entry entry_of(std::span<const MentionOfRank> mentions) {
   return entry;
 }
 
-/// To those who asked, and to homes, who else has their vertices.
+/// Makes the answers to ranks that asked, and tells homes which other ranks have their vertices.
 void answer_all(const std::vector<Message>& asked, std::vector<Message>& answers, std::vector<Message>& sharers) {
   Mail to_askers, to_homes;
   const std::vector<MentionOfRank> all = sorted_mentions(asked);

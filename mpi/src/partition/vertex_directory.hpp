@@ -1,5 +1,5 @@
-// Who knows which vertex: every rank keeps the book for a range of numbers, and tells those who ask. Asked once, when a
-// detector is made.
+// A directory of which ranks have which vertices: every rank keeps it for a range of numbers, and answers the others.
+// It is asked once, when a detector is made.
 #pragma once
 #include <vector>
 
@@ -9,32 +9,32 @@
 
 namespace tamis::distributed {
 
-/// What a rank says of a vertex that it gives or uses.
+/// What a rank tells the directory about a vertex that it gives or uses.
 struct Mention {
   Index number;
   Index group = 0;
-  bool is_given = false;    ///< with a position, and its group
+  bool is_given = false;    ///< this rank gives its position and group
   bool is_covered = false;  ///< by a face or an edge
   bool is_on_loose_edge = false;
 };
 
-/// What it hears.
+/// What the directory answers about a vertex.
 struct Entry {
   Index number;
-  Index group;            ///< as its home has it
+  Index group;            ///< as its home gives it
   int home;               ///< the lowest rank that gives its position; -1: none does
   bool is_covered;        ///< by a face or an edge of any rank
   bool is_on_loose_edge;  ///< of any rank
 };
 
-/// A vertex of this rank, its home, that another rank gives or uses as well.
+/// A vertex whose home is this rank, and another rank that gives or uses it as well.
 struct Sharer {
   int rank;
   Index number;
 };
 
 struct DirectoryAnswer {
-  std::vector<Entry> entries;   ///< of the vertices mentioned, by number
+  std::vector<Entry> entries;   ///< one for each vertex that was mentioned, by number
   std::vector<Sharer> sharers;  ///< by rank, then number
 };
 
@@ -44,7 +44,7 @@ class VertexDirectory {
 
   /// Collective. `mentions`: one a vertex.
   DirectoryAnswer look_up(const std::vector<Mention>& mentions);
-  /// Collective. Of `loose`, those that are among the `sides` of triangles of any rank; sorted.
+  /// Collective. Returns those edges of `loose` that are among the `sides` of triangles of any rank; sorted.
   std::vector<Edge> covered_edges(const std::vector<Edge>& loose, const std::vector<Edge>& sides);
 
  private:
@@ -52,7 +52,7 @@ class VertexDirectory {
   int rank_for(Index number) const { return static_cast<int>(number / range_); }
 
   Communicator& communicator_;
-  const Index range_;  ///< of numbers, that one rank keeps
+  const Index range_;  ///< how many numbers one rank keeps
 };
 
 }  // namespace tamis::distributed

@@ -31,7 +31,7 @@ tamis_status with(Handle* handle, const Work& work) noexcept {
   if (!handle) return TAMIS_INVALID_ARGUMENT;
   try {
     const BusyGuard guard(handle->is_asked);
-    if (!handle->asked) return handle->outcome.status();  // it still says why it was not made
+    if (!handle->asked) return handle->outcome.status();  // it keeps the message that says why
     return attempt(handle->outcome, [&] { work(*handle); });
   } catch (const Busy&) {
     return TAMIS_BUSY;

@@ -58,7 +58,7 @@ tamis_status tamis_detector_is_free(tamis_detector* detector, const tamis_step* 
 tamis_status tamis_detector_safe_step(tamis_detector* detector, const tamis_step* step, double keep,
                                       tamis_safe_step* answer) {
   return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, const tamis::QueryOptions& q) {
-    write_sized(tamis_safe_step{}, answer, "answer");  // refused before the work
+    write_sized(tamis_safe_step{}, answer, "answer");  // refuses a bad `answer` before the work
     write_sized(answer_of(handle.asked->safe_step(s, keep, q)), answer, "answer");
   });
 }

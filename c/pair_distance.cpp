@@ -40,7 +40,7 @@ tamis_status tamis_distances_of(tamis_pairs* pairs, const tamis_pair* list, size
 tamis_status tamis_pair_safe_step(tamis_pairs* pairs, const tamis_pair* pair, const tamis_step* step, double keep,
                                   tamis_safe_step* answer) {
   return ask(pairs, [&](tamis_pairs& handle) {
-    write_sized(tamis_safe_step{}, answer, "answer");  // refused before the work
+    write_sized(tamis_safe_step{}, answer, "answer");  // refuses a bad `answer` before the work
     const tamis_step given = read_sized(step, "step");
     refuse_at_start(given);
     tamis::PairOptions options = handle.options;

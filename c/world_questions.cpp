@@ -71,7 +71,7 @@ tamis_status tamis_world_is_free(tamis_world* world, const tamis_query_options* 
 tamis_status tamis_world_safe_step(tamis_world* world, double keep, const tamis_query_options* options,
                                    tamis_safe_step* answer) {
   return ask(world, options, [&](tamis_world&, tamis::World& w, const tamis::QueryOptions& q) {
-    write_sized(tamis_safe_step{}, answer, "answer");  // refused before the work
+    write_sized(tamis_safe_step{}, answer, "answer");  // refuses a bad `answer` before the work
     write_sized(answer_of(w.safe_step(keep, q)), answer, "answer");
   });
 }

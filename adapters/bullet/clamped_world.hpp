@@ -26,7 +26,7 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
 
-  /// As btDiscreteDynamicsWorld's. `threads`: as Options::threads.
+  /// As the constructor of btDiscreteDynamicsWorld. `threads`: as Options::threads.
   ClampedWorld(btDispatcher* dispatcher, btBroadphaseInterface* broadphase, btConstraintSolver* solver,
                btCollisionConfiguration* configuration, adapters::ClampOptions options = {}, int threads = 1);
 
@@ -34,7 +34,7 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   /// added later. Call it again when the shape is changed (`traits_of`).
   void set_mesh(const btCollisionShape& shape, const Shape& mesh);
 
-  /// Throw InvalidMesh where a shape has no mesh; the object is not added then.
+  /// Throws InvalidMesh if a shape has no mesh; then the object is not added.
   void addCollisionObject(btCollisionObject* object, int group = btBroadphaseProxy::StaticFilter,
                           int mask = btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter) override;
   void removeCollisionObject(btCollisionObject* object) override;

@@ -7,8 +7,8 @@
 
 namespace tamis {
 
-/// The common base: x(t) is a sum of given points with weights that depend on the time alone. [0,1] has pieces of equal
-/// length, on each of which |x''| has a bound.
+/// The common base of BezierPath and CatmullRomPath: x(t) is a sum of given points with weights that depend on the time
+/// alone. [0,1] has pieces of equal length, on each of which |x''| has a bound.
 class SplinePath : public Path {
  public:
   Index vertex_count() const override;

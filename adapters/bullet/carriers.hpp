@@ -10,9 +10,9 @@ namespace tamis::bullet {
 
 /// The level of a body is how many bodies it is away from an object that stands; in a group without one, from its
 /// heaviest body. A body is carried by the bodies near it of lower levels. From the lowest level upwards, each body is
-/// pushed as if its carriers could not give way; in a group where nothing stands they do, which keeps its momentum. So a
-/// pile comes to rest however high it is. A solver that shares each impulse between two bodies needs as many rounds as
-/// the square of the height; the clamp would hold back what it leaves at ever smaller distances.
+/// pushed as if its carriers could not give way; in a group where nothing stands they do, which keeps its momentum. So
+/// a pile comes to rest however high it is. A solver that shares each impulse between two bodies needs as many rounds
+/// as the square of the height; the clamp would hold back what it leaves at ever smaller distances.
 class Carriers {
  public:
   Carriers(std::span<const NearContact> near, btScalar gap, btScalar seconds);

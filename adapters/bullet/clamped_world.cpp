@@ -61,8 +61,7 @@ class ClampedWorld::Way {
 class ClampedWorld::Step final : public adapters::WantedStep {
  public:
   Step(const ClampedWorld& world, btScalar seconds) : world_(world) {
-    const btAlignedObjectArray<btRigidBody*>& all =
-        world.getNonStaticRigidBodies();  // those that were not static when added
+    const btAlignedObjectArray<btRigidBody*>& all = world.getNonStaticRigidBodies();  // not static when added
     std::set<const btCollisionObject*> may_move;
     for (int i = 0; i < all.size(); ++i) may_move.insert(all[i]);
     for (const auto& [id, member] : world.members_) {

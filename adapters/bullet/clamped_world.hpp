@@ -90,10 +90,9 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   std::map<BodyId, Member> members_;
   std::map<const btCollisionShape*, KnownShape> given_;  ///< by set_mesh
   std::set<adapters::BodyPair> overlapping_;
-  std::vector<BodyContact> limits_;  ///< of the last step
-  std::vector<NearContact> near_;    ///< near pairs at the start of this step
-  std::map<adapters::BodyPair, double>
-      distances_;  ///< at the start of this step; also of near pairs that would push sideways
+  std::vector<BodyContact> limits_;                 ///< of the last step
+  std::vector<NearContact> near_;                   ///< near pairs at the start of this step
+  std::map<adapters::BodyPair, double> distances_;  ///< at the step's start; also of pairs that push sideways
   LastStep last_step_;
 };
 

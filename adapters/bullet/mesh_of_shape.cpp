@@ -96,8 +96,7 @@ void add_corners(const btPolyhedralConvexShape& shape, std::vector<btScalar>& tr
 void add_box(const btCollisionShape& shape, std::vector<btScalar>& traits) {
   btVector3 low, high;
   shape.getAabb(btTransform::getIdentity(), low, high);
-  const btScalar around =
-      shape.isConcave() ? shape.getMargin() : btScalar(0);  // the margin of a round shape is its radius
+  const btScalar around = shape.isConcave() ? shape.getMargin() : btScalar(0);  // a round shape's is its radius
   add(low + btVector3(around, around, around), traits);
   add(high - btVector3(around, around, around), traits);
 }

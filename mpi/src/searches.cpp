@@ -91,8 +91,7 @@ void Searches::watch_balance() {
   if (counts_pairs_) {
     std::vector<std::uint64_t> weights = interior_.weights_of(own());
     const std::vector<std::uint64_t> of_border = border_.weights_of(own());
-    for (std::size_t e = 0; e < weights.size(); ++e)
-      weights[e] += 2 * of_border[e];  // ranks that borrow the element search the other half
+    for (std::size_t e = 0; e < weights.size(); ++e) weights[e] += 2 * of_border[e];  // borrowers search the other half
     decomposition_.report_weights(weights);
     counts_pairs_ = false;
     is_to_decompose_ = true;

@@ -12,8 +12,7 @@ extern "C" {
 typedef struct tamis_wanted_step {
   size_t size;
   void* user;
-  const int32_t*
-      moving; /**< bodies that are to move and may be held back, each once; all others stay as tamis_world_move says */
+  const int32_t* moving; /**< bodies that may be held back, each once; all others stay as tamis_world_move says */
   size_t moving_count;
   /** Writes the pose of a body after `fraction` of its way, in [0, 1], rounded as the engine will keep it. */
   void (*pose)(void* user, int32_t body, double fraction, tamis_pose* pose);

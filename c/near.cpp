@@ -4,13 +4,10 @@
 namespace tamis::c {
 namespace {
 
-/// Runs `work(handle, positions)` with the start of the step.
-template <class Work>
-tamis_status ask_at_rest(tamis_detector* handle, const tamis_step* step, const Work& work) noexcept {
-  return with(handle, [&](tamis_detector& h) {
-    const tamis_step given = read_sized(step, "step");
-    work(h, positions(given.start, given.vertex_count, given.start_stride, "start"));
-  });
+/// The positions at the start of the step.
+Positions start_of(const tamis_step* step) {
+  const tamis_step given = read_sized(step, "step");
+  return positions(given.start, given.vertex_count, given.start_stride, "start");
 }
 
 }  // namespace
@@ -20,24 +17,26 @@ using namespace tamis::c;
 
 tamis_status tamis_detector_pairs_within(tamis_detector* detector, const tamis_step* step, double distance,
                                          size_t* count) {
-  return ask_at_rest(detector, step, [&](tamis_detector& handle, const tamis::Positions& at) {
+  return with(detector, [&](tamis_detector& handle) {
+    handle.near.clear();
     size_t& number = required(count, "count");
-    handle.near = handle.asked->pairs_within(at, distance);
+    handle.near = handle.asked->pairs_within(start_of(step), distance);
     number = handle.near.size();
   });
 }
 
 tamis_status tamis_detector_intersections(tamis_detector* detector, const tamis_step* step, size_t* count) {
-  return ask_at_rest(detector, step, [&](tamis_detector& handle, const tamis::Positions& at) {
+  return with(detector, [&](tamis_detector& handle) {
+    handle.intersections.clear();
     size_t& number = required(count, "count");
-    handle.intersections = handle.asked->intersections(at);
+    handle.intersections = handle.asked->intersections(start_of(step));
     number = handle.intersections.size();
   });
 }
 
 tamis_status tamis_detector_has_intersection(tamis_detector* detector, const tamis_step* step, int* has_intersection) {
-  return ask_at_rest(detector, step, [&](tamis_detector& handle, const tamis::Positions& at) {
-    required(has_intersection, "has_intersection") = handle.asked->has_intersection(at) ? 1 : 0;
+  return with(detector, [&](tamis_detector& handle) {
+    required(has_intersection, "has_intersection") = handle.asked->has_intersection(start_of(step)) ? 1 : 0;
   });
 }
 

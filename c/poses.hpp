@@ -17,8 +17,8 @@ inline Point point_of(const double* p) { return {p[0], p[1], p[2]}; }
 inline Pose pose_of(const tamis_pose& pose) { return {point_of(pose.position), point_of(pose.rotation)}; }
 
 inline std::vector<Point> point_rows(const double* coordinates, std::size_t count, const char* name) {
-  std::vector<Point> result(count);
   const double* first = array(coordinates, count, name);
+  std::vector<Point> result(count);
   for (std::size_t i = 0; i < count; ++i) result[i] = point_of(first + 3 * i);
   return result;
 }

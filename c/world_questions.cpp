@@ -78,6 +78,7 @@ tamis_status tamis_world_safe_step(tamis_world* world, double keep, const tamis_
 
 tamis_status tamis_world_pairs_within(tamis_world* world, double distance, size_t* count) {
   return with(world, [&](tamis_world& handle) {
+    handle.near.clear();
     size_t& number = required(count, "count");
     handle.near = handle.asked->pairs_within(distance);
     number = handle.near.size();
@@ -86,6 +87,7 @@ tamis_status tamis_world_pairs_within(tamis_world* world, double distance, size_
 
 tamis_status tamis_world_intersections(tamis_world* world, size_t* count) {
   return with(world, [&](tamis_world& handle) {
+    handle.intersections.clear();
     size_t& number = required(count, "count");
     handle.intersections = handle.asked->intersections();
     number = handle.intersections.size();

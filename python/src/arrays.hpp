@@ -22,8 +22,10 @@ template <int columns>
 using IndexRowsIn = nb::ndarray<const Index, nb::shape<-1, columns>, nb::c_contig, nb::device::cpu>;
 using Indices = nb::ndarray<const Index, nb::shape<-1>, nb::c_contig, nb::device::cpu>;
 
+/// The stride of one row alone may be anything.
 inline Positions positions(const Rows& rows) {
-  return {rows.data(), static_cast<Index>(rows.shape(0)), static_cast<std::ptrdiff_t>(rows.stride(0))};
+  const auto count = static_cast<Index>(rows.shape(0));
+  return {rows.data(), count, count > 1 ? static_cast<std::ptrdiff_t>(rows.stride(0)) : 3};
 }
 inline Step step_of(const Rows& start, const Rows& end) { return {positions(start), positions(end)}; }
 

@@ -14,6 +14,8 @@ from tamis._errors import Error, FileError, InvalidOptions
 
 _Kind = TypeVar("_Kind")
 
+LARGEST_INDEX = 2**31 - 1
+
 
 def shown(given: object) -> str:
     """Return what was given as a sentence can hold it: short, and in one line."""
@@ -51,7 +53,7 @@ def whole(given: Any, name: str, least: int = 0, error: type[Error] = InvalidOpt
         value = None if isinstance(given, (bool, np.bool_)) else operator.index(given)
     except TypeError:
         value = None
-    if value is None or not least <= value < 2**31:
+    if value is None or not least <= value <= LARGEST_INDEX:
         raise error(f"{name} is {shown(given)}: give a whole number >= {least} and < 2^31{advice}")
     return value
 

@@ -6,7 +6,7 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Indices, indices, indices_or_none, pair_list
-from tamis._checks import whole
+from tamis._checks import LARGEST_INDEX, whole
 from tamis._errors import InvalidMesh
 
 
@@ -48,7 +48,10 @@ class Mesh:
             indices_or_none(points, 0, "points", InvalidMesh),
         )
         if vertex_count is None:
-            vertex_count = 1 + max((int(array.max()) for array in given if array.size), default=-1)
+            most = max((int(array.max()) for array in given if array.size), default=-1)
+            if most == LARGEST_INDEX:
+                raise InvalidMesh(f"faces, edges or points name vertex {most}: give indices below {most}")
+            vertex_count = 1 + most
         edges_by_name = "; loose edges go by their name, edges=..." if hasattr(vertex_count, "__len__") else ""
         self._mesh = _core.Mesh(whole(vertex_count, "vertex_count", 0, InvalidMesh, edges_by_name), *given)
         self._faces, self._edges, self._points = self._mesh.faces(), given[1].copy(), given[2].copy()

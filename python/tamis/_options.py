@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Groups, Indices, flags, indices, vector
-from tamis._checks import function, number, number_or_none, whole, word
+from tamis._checks import LARGEST_INDEX, function, number, number_or_none, whole, word
 from tamis._errors import InvalidOptions
 from tamis._kinds import PairKind
 
@@ -34,7 +34,10 @@ def set_groups(
     if groups is None:
         raise InvalidOptions("may_touch is given without groups: give the group of each vertex")
     group_of_vertex: Indices = indices(groups, 0, "groups", InvalidOptions)
-    count = max(group_count, len(radii), 1 + int(group_of_vertex.max()) if group_of_vertex.size else 1)
+    most = int(group_of_vertex.max()) if group_of_vertex.size else 0
+    if most == LARGEST_INDEX:
+        raise InvalidOptions(f"groups holds {most}: give groups below {most}")
+    count = max(group_count, len(radii), 1 + most)
     allowed: Groups = np.empty((0, 0), np.uint8)
     if may_touch is not None:
         allowed = flags(may_touch, "may_touch", InvalidOptions)

@@ -55,6 +55,22 @@ def test_read_where_it_lies(falling: tamis.Scene, name: str) -> None:
     assert found.vertices.tolist() == [[3, 0, 1, 2]]
 
 
+def test_one_row_of_any_stride() -> None:
+    """Bug: a single row that was reversed was refused as no n x 3 array of doubles."""
+    detector = tamis.Detector(tamis.Mesh([], 1, points=[0]))
+    row = np.array([[1.0, 2.0, 3.0]])
+    for one in (row[::-1], np.array([[0.0] * 3, row[0]])[::-2]):
+        assert detector.is_free(one, one)
+
+
+def test_the_largest_number_is_refused_by_name(falling: tamis.Scene) -> None:
+    """Bug: the count was one more than fits, and an argument that was not given was named, or none."""
+    with pytest.raises(tamis.InvalidMesh, match="faces, edges or points name vertex 2147483647: give indices below"):
+        tamis.Mesh([[0, 1, 2**31 - 1]])
+    with pytest.raises(tamis.InvalidOptions, match="groups holds 2147483647: give groups below"):
+        tamis.Detector(falling.mesh, groups=np.full(falling.mesh.vertex_count, 2**31 - 1))
+
+
 @pytest.mark.parametrize("name", COPIED)
 def test_copied_once(falling: tamis.Scene, name: str) -> None:
     start, end = COPIED[name](falling.start), COPIED[name](falling.end)

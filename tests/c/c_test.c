@@ -202,6 +202,7 @@ static void at_rest(void) {
              near[i].direction[2] == 1;
   EXPECT(found == 1);
   EXPECT(tamis_detector_pairs_within(detector, &step, -1, &count) == TAMIS_INVALID_OPTIONS);
+  EXPECT(tamis_detector_copy_pairs_within(detector, 0, 1, near, sizeof near[0]) == TAMIS_INVALID_ARGUMENT);
   EXPECT(tamis_detector_pairs_within(detector, &step, 1, NULL) == TAMIS_INVALID_ARGUMENT);
   EXPECT(tamis_detector_copy_pairs_within(detector, 33, 1, near, sizeof near[0]) == TAMIS_INVALID_ARGUMENT);
   EXPECT(tamis_detector_copy_pairs_within(detector, 0, 1, NULL, sizeof near[0]) == TAMIS_INVALID_ARGUMENT);

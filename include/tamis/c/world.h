@@ -54,12 +54,12 @@ TAMIS_API const char* tamis_world_message(const tamis_world* world);
 typedef struct tamis_motions {
   size_t size;
   size_t count;            /**< number of bodies */
-  const tamis_pose* poses; /**< one for each body, which stays there */
-  const tamis_link* links; /**< each body moves by a chain of links, outermost first */
+  const tamis_pose* poses; /**< one for each body, which stays there; or NULL */
+  const tamis_link* links; /**< each body moves by a chain of links, outermost first; or NULL */
   size_t links_of_each;    /**< number of links of each body's chain; 0 with poses, or start and end */
-  const double* start;     /**< each body deforms: three coordinates a vertex, at t=0, in the frame of the world */
-  const double* end;       /**< the same at t=1. NULL: see above */
-  int32_t vertex_count;    /**< with start and end: the vertices of each body, as many as its shape has */
+  const double* start; /**< each body deforms: three coordinates a vertex, at t=0, in the frame of the world; or NULL */
+  const double* end;   /**< the same at t=1; or NULL */
+  int32_t vertex_count; /**< with start and end: the vertices of each body, as many as its shape has */
 } tamis_motions;
 
 /** Adds `motions->count` bodies of one shape and writes their numbers: 0, 1, 2, ..., never given twice. If one cannot

@@ -190,9 +190,13 @@ def pose_at(chain: npt.ArrayLike, time: float) -> Doubles:
     """
     chains = numbers(chain, "chain", InvalidPath)
     if chains.ndim not in (3, 4) or chains.shape[-2:] != (4, 3):
-        raise InvalidPath(f"chain has the shape {shape_text(chains)}: give (links, 4, 3), or as many as you like at once")
+        raise InvalidPath(
+            f"chain has the shape {shape_text(chains)}: give (links, 4, 3), or as many as you like at once"
+        )
     many = doubles(chains if chains.ndim == 4 else chains[np.newaxis])
-    return _core.pose_at(finite(many, "chain", InvalidPath), number(time, "time", InvalidPath)).reshape(*chains.shape[:-3], 2, 3)
+    return _core.pose_at(finite(many, "chain", InvalidPath), number(time, "time", InvalidPath)).reshape(
+        *chains.shape[:-3], 2, 3
+    )
 
 
 def nlerp_deviation(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:

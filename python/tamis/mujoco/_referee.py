@@ -141,8 +141,8 @@ class Referee:
         ------
         InvalidStep
             The simulation has gone on by more or less than one step, or a body has turned too far in one; or positions
-            are not where the velocities take them, as where they were set by hand. Call `restart` where that was meant. What collides was
-            changed in the model: make another referee.
+            are not where the velocities take them, as where they were set by hand. Call `restart` where that was meant.
+            What collides was changed in the model: make another referee.
         """
         start, span = self._places.points, (self._places.now.time, self._data.time)
         self._require_one_step(*span)
@@ -211,7 +211,6 @@ class Referee:
                 f"{name} turns by more than half a turn in one step, and the states at both ends do not show which "
                 "way: take a shorter timestep"
             )
-
 
     def _require_integrated(self) -> None:
         """Positions are where the velocities of this step take them; with RK4 they show no such thing."""

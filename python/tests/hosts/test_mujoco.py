@@ -253,7 +253,9 @@ def test_positions_set_by_hand_are_refused() -> None:
     referee = tamis.mujoco.Referee(model, data)
     mujoco.mj_step(model, data)
     data.qpos[0] += 3
-    with pytest.raises(tamis.InvalidStep, match=r"free is 3 from where its velocity takes it .* call check\(\) right after"):
+    with pytest.raises(
+        tamis.InvalidStep, match=r"free is 3 from where its velocity takes it .* call check\(\) right after"
+    ):
         referee.check()
     referee.restart()
     mujoco.mj_step(model, data)

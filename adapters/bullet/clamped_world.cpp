@@ -261,7 +261,8 @@ void ClampedWorld::performDiscreteCollisionDetection() {
   btDiscreteDynamicsWorld::performDiscreteCollisionDetection();
   std::set<std::pair<const btCollisionObject*, const btCollisionObject*>> overlapping;
   for (const auto& [a, b] : overlapping_)
-    overlapping.insert(std::minmax<const btCollisionObject*>(members_.at(a).object, members_.at(b).object));
+    if (members_.contains(a) && members_.contains(b))  // the caller may ask between steps, after bodies were removed
+      overlapping.insert(std::minmax<const btCollisionObject*>(members_.at(a).object, members_.at(b).object));
   for (int i = 0; !overlapping.empty() && i < m_dispatcher1->getNumManifolds(); ++i) {
     btPersistentManifold& manifold = *m_dispatcher1->getManifoldByIndexInternal(i);
     if (!overlapping.contains(std::minmax(manifold.getBody0(), manifold.getBody1()))) continue;

@@ -39,6 +39,7 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
                           int mask = btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter) override;
   void removeCollisionObject(btCollisionObject* object) override;
   void removeRigidBody(btRigidBody* body) override;
+  void performDiscreteCollisionDetection() override;
 
   /// The last step: bodies that wanted to move, in the order of their numbers, and which part of its way each went.
   struct LastStep {
@@ -50,7 +51,6 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
 
  protected:
   void createPredictiveContacts(btScalar seconds) override;
-  void performDiscreteCollisionDetection() override;
   void integrateTransforms(btScalar seconds) override;
 
  private:

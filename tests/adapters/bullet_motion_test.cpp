@@ -58,6 +58,20 @@ TEST(ClampedWorld, PartsBodiesThatBeginExactlyOnEachOther) {
                 0.02);
 }
 
+/// Bug: the pairs of the last step named a body that was no more.
+TEST(ClampedWorld, DetectsCollisionsBetweenStepsAfterABodyWasRemoved) {
+  btBoxShape box({1, 1, 1});
+  Simulation simulation;
+  simulation.world.setGravity({0, 0, 0});
+  simulation.add(box, 1, {0, 0, 0});
+  simulation.add(box, 1, {1.5F, 0, 0});
+  simulation.run(1);
+  ASSERT_EQ(simulation.world.last_step().overlapping, 1U);
+  simulation.world.removeRigidBody(simulation.bodies[1].get());
+  simulation.bodies.pop_back();
+  EXPECT_NO_THROW(simulation.world.performDiscreteCollisionDetection());
+}
+
 /// Bug: where nothing stands, a body was pushed away from one that took no impulse.
 TEST(ClampedWorld, KeepsTheMomentumOfBodiesThatAreFree) {
   btBoxShape box({0.2F, 0.2F, 0.2F});

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Set-up, build, all tests. Arguments go to ctest: `scripts/test.sh -R readme`.
-#   --quick   for the daily loop: without what takes minutes (tests by clang, clang-tidy, ARM, fuzzing, attacks, the module
+#   --quick   for the daily loop: without what takes minutes (tests by clang, clang-tidy, fuzzing, attacks, the module
 #             for Python, the crates, the viewer, packages built against an installed Tamis)
 #   --once    a checkout that is built this once and then thrown away: whole targets at a time, no debug information
 set -euo pipefail
@@ -13,7 +13,7 @@ if [[ ${1:-} == --once ]]; then
 fi
 quick=()
 if [[ ${1:-} == --quick ]]; then
-  quick=(-E '^(fuzz|hostile|python|rust|viewer|consumer|bench)[.]|^project[.](clang|tidy|arm64)')
+  quick=(-E '^(fuzz|hostile|python|rust|viewer|consumer|bench)[.]|^project[.](clang|tidy)')
   shift
 fi
 scripts/setup.sh --tests

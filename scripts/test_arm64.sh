@@ -1,26 +1,16 @@
 #!/usr/bin/env bash
 # The same bits on 64-bit ARM (NEON): cross-compiles Tamis, runs it under qemu, and compares every contact of the
-# generated scenes and of the recorded frames with this machine's.
-#   --short        without the largest frames, and optimised just so far that a compiler would join products and sums
-#   --all          also runs the unit tests there
-#   --here FOLDER  a finished build of this machine's, in place of build/dev
+# generated scenes and of the recorded frames with this machine's. With --all it also runs the unit tests there.
 # The libraries' arm64 packages are unpacked into build/arm64-packages: nothing installed here is changed. Exits with 77
 # where the packages cannot be had.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-target=tamis_same_bits here= short=() build=build/arm64 options=()
-while (($#)); do
-  case $1 in
-    --short) short=(--short) build=build/arm64-short
-             options=(-DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG --param=ggc-min-heapsize=2000000"
-                      -DTAMIS_OPTIMIZE_KERNELS=OFF) ;;
-    --all) target=all ;;
-    --here) here=$2 && shift ;;
-    *) echo "test_arm64.sh: $1: say --short, --all, --here FOLDER or nothing" >&2; exit 2 ;;
-  esac
-  shift
-done
+case $* in
+  "") target=tamis_same_bits ;;
+  --all) target=all ;;
+  *) echo "test_arm64.sh: $*: say --all or nothing" >&2; exit 2 ;;
+esac
 
 download() {
   apt=(apt-get -oAPT::Architecture=arm64 -oAPT::Architectures=arm64 -oDir::State::Lists="$packages/lists"
@@ -39,18 +29,15 @@ packages=$PWD/build/arm64-packages
 scripts/setup.sh --arm64 || no_packages "Debian's compiler for ARM, or qemu"
 [[ -e $packages/complete ]] || download || no_packages "the libraries' arm64 packages"
 
-cmake --preset arm64 -B "$build" -DTAMIS_ARM64_PACKAGES="$packages" "${options[@]}"
-cmake --build "$build" --target "$target"
-if [[ -z $here ]]; then
-  scripts/setup.sh --tests
-  cmake --preset dev
-  cmake --build --preset dev --target tamis_same_bits
-  here=build/dev
-fi
+cmake --preset arm64 -DTAMIS_ARM64_PACKAGES="$packages"
+cmake --build --preset arm64 --target "$target"
+scripts/setup.sh --tests
+cmake --preset dev
+cmake --build --preset dev --target tamis_same_bits
 
 qemu=(qemu-aarch64 -L /usr/aarch64-linux-gnu -E LD_LIBRARY_PATH="$packages/usr/lib/aarch64-linux-gnu:$packages/lib/aarch64-linux-gnu")
-"$here/tests/same_bits/tamis_same_bits" "${short[@]}" >build/same_bits_here.txt
-"${qemu[@]}" "$build"/tests/same_bits/tamis_same_bits "${short[@]}" >build/same_bits_arm64.txt
+build/dev/tests/same_bits/tamis_same_bits >build/same_bits_here.txt
+"${qemu[@]}" build/arm64/tests/same_bits/tamis_same_bits >build/same_bits_arm64.txt
 diff build/same_bits_here.txt build/same_bits_arm64.txt
 cat build/same_bits_here.txt
 echo "the same on both: every bit of every contact"

@@ -17,12 +17,7 @@
 namespace tamis {
 namespace {
 
-struct Asked {
-  Isa isa;
-  double latest;
-};
-constexpr Asked kAsked[] = {
-    {Isa::baseline, 1}, {Isa::avx2, 0.5}, {Isa::avx512, 1}, {Isa::avx512, 0.25}, {Isa::best, 1}};
+constexpr Isa kIsas[] = {Isa::baseline, Isa::avx2, Isa::avx512};
 
 bool is_here(Isa isa) {
   try {
@@ -97,18 +92,27 @@ Cases make_overflowing_cases(int count) {
   return cases;
 }
 
+/// What the functions for one pair say of each.
+std::vector<PairResult> asked_alone(const Cases& cases, const PairOptions& options) {
+  std::vector<PairResult> results;
+  for (std::size_t i = 0; i < cases.pairs.size(); ++i)
+    results.push_back(test::ask_pair(cases.pairs[i].kind, cases.motions[i], options));
+  return results;
+}
+
 void expect_bits_of_single_pairs(const Cases& cases) {
   for (const double separation : {0.0, 1e-300, 1e-9, 0.01, 0.125, 3.0})
-    for (const auto& [isa, latest] : kAsked) {
-      if (!is_here(isa)) continue;
-      const auto results = narrow_phase(cases.pairs, {cases.start, cases.end},
-                                        {.min_separation = separation, .latest = latest, .threads = 1, .isa = isa});
-      ASSERT_EQ(results.size(), cases.pairs.size());
-      for (std::size_t i = 0; i < results.size(); ++i) {
-        const auto alone = test::ask_pair(cases.pairs[i].kind, cases.motions[i], {separation, latest});
-        ASSERT_EQ(difference(results[i], alone), "")
-            << "pair " << i << ", " << name_of(isa) << ", separation " << separation << ", latest " << latest << '\n'
-            << test::describe(cases.pairs[i].kind, cases.motions[i]);
+    for (const double latest : {1.0, 0.25}) {
+      const auto alone = asked_alone(cases, {separation, latest});
+      for (const Isa isa : kIsas) {
+        if (!is_here(isa)) continue;
+        const auto results = narrow_phase(cases.pairs, {cases.start, cases.end},
+                                          {.min_separation = separation, .latest = latest, .threads = 1, .isa = isa});
+        ASSERT_EQ(results.size(), alone.size());
+        for (std::size_t i = 0; i < results.size(); ++i)
+          ASSERT_EQ(difference(results[i], alone[i]), "")
+              << "pair " << i << ", " << name_of(isa) << ", separation " << separation << ", latest " << latest << '\n'
+              << test::describe(cases.pairs[i].kind, cases.motions[i]);
       }
     }
 }
@@ -117,7 +121,7 @@ TEST(NarrowPhase, ListsSayBitForBitWhatTheFunctionsForOnePairSay) { expect_bits_
 
 // Bug: lanes leave pairs with overflowing differences undecided. Crossings can decide them in a smaller unit, but were
 // skipped as if the lanes had tried them.
-TEST(NarrowPhase, ListsSayTheSameWhereDifferencesOverflow) { expect_bits_of_single_pairs(make_overflowing_cases(300)); }
+TEST(NarrowPhase, ListsSayTheSameWhereDifferencesOverflow) { expect_bits_of_single_pairs(make_overflowing_cases(100)); }
 
 TEST(NarrowPhase, ThreadsAndPlacesInTheListChangeNoBit) {
   const Cases cases = make_cases(500);  // so many that threads share them

@@ -1,9 +1,8 @@
-// tamis_same_bits [--short] [ISA...]: a hash of every bit of every contact of the generated scenes and of the recorded
-// frames, one line each; nonzero if two of the instruction sets named (default: best) give different ones, 77 if one is
-// not here. Short: without the frames that take an emulated machine longest.
+// tamis_same_bits [ISA...]: a hash of every bit of every contact of the generated scenes and of the recorded frames,
+// one line each; nonzero if two of the instruction sets named (default: best) give different ones, 77 if one is not
+// here.
 #include <cstdio>
 #include <cstring>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -78,7 +77,7 @@ bool compare_scenes(const std::vector<Isa>& isas) {
   return are_equal;
 }
 
-bool compare_frames(const std::vector<Isa>& isas, bool is_short) {
+bool compare_frames(const std::vector<Isa>& isas) {
   struct Frames {
     const char *start, *end;
   };
@@ -87,11 +86,10 @@ bool compare_frames(const std::vector<Isa>& isas, bool is_short) {
                                 {"kick/frame_63.ply", "kick/frame_64.ply"},
                                 {"kick/frame_64.ply", "kick/frame_65.ply"},
                                 {"cloth-ball/cloth_ball92.ply", "cloth-ball/cloth_ball93.ply"}};
-  constexpr std::size_t kInShort = 2;
   const auto folder = data_folder();
   if (folder.empty()) std::printf("recorded frames skipped: %s\n", kNoData);
   bool are_equal = true;
-  for (const Frames& frames : std::span(kFrames).first(is_short ? kInShort : std::size(kFrames))) {
+  for (const Frames& frames : kFrames) {
     if (folder.empty() || !std::filesystem::exists(folder / "frames" / frames.start)) continue;
     const io::MeshFile start = io::read_mesh(folder / "frames" / frames.start),
                        end = io::read_mesh(folder / "frames" / frames.end);
@@ -100,9 +98,7 @@ bool compare_frames(const std::vector<Isa>& isas, bool is_short) {
   return are_equal;
 }
 
-int run(std::vector<std::string> names) {
-  const bool is_short = !names.empty() && names[0] == "--short";
-  if (is_short) names.erase(names.begin());
+int run(const std::vector<std::string>& names) {
   std::vector<Isa> isas;
   for (const std::string& name : names) {
     isas.push_back(isa_from_name(name));
@@ -116,7 +112,7 @@ int run(std::vector<std::string> names) {
     }
   }
   if (isas.empty()) isas.push_back(Isa::best);
-  const bool scenes_are_equal = compare_scenes(isas), frames_are_equal = compare_frames(isas, is_short);
+  const bool scenes_are_equal = compare_scenes(isas), frames_are_equal = compare_frames(isas);
   return scenes_are_equal && frames_are_equal ? 0 : 1;
 }
 

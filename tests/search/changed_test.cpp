@@ -36,7 +36,7 @@ class ChangedPairs : public testing::TestWithParam<Recipe> {
     return ends;
   }
 
-  const Scene scene_ = GetParam().make(2000, 3);
+  const Scene scene_ = GetParam().make(1000, 3);
   const Mesh mesh_ = scene_.mesh();
   const Options options_;
   const Rings rings_{mesh_, 1};

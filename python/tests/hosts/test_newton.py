@@ -18,6 +18,7 @@ from tamis.newton._versions import KNOWN
 
 newton = pytest.importorskip("newton", reason="newton is not installed: python/requirements-hosts.txt")
 wp = pytest.importorskip("warp")
+wp.config.enable_backward = False  # No test differentiates: kernels compile in half the time.
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 pytestmark = pytest.mark.filterwarnings("default")
 MARGIN, GAP = 0.02, 0.01

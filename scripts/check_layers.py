@@ -12,7 +12,8 @@ LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filt
          "paths": 11, "detect": 12, "world": 13}
 # Folders outside the library, and what each may use beside itself and the public headers.
 OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "audit", "io", "scenes"],
-           "mpi/include": [], "mpi/src": ["mpi"], "mpi/command": ["mpi", "io", "cli"],
+           # Ranks find a frame together, and give it to their detectors.
+           "mpi/include": [], "mpi/src": ["mpi", "bounds", "detect"], "mpi/command": ["mpi", "io", "cli"],
            "audit": [], "io": ["audit"], "scenes": ["io"], "cli": ["audit", "io", "scenes"], "adapters": ["c", "io"],
            "bench/contenders": ["io", "scenes", "oracle", "bench", "lab"], "bench/distributed": ["bench"],
            "bench/stages": ["scenes", "io", "bench", "lab", *LAYER],

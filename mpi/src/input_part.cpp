@@ -13,6 +13,7 @@ namespace tamis::distributed {
 namespace {
 
 constexpr Index kMostVertices = std::numeric_limits<Index>::max();
+constexpr Index kNoGroup = -1;  ///< of vertices that no feature uses
 
 Edge ascending(Index a, Index b) { return a < b ? Edge{a, b} : Edge{b, a}; }
 
@@ -27,6 +28,11 @@ void check_numbers(const Elements& elements, const std::string& what) {
     for (const Index number : elements[i]) check_number(number, what + " " + std::to_string(i));
 }
 
+[[noreturn]] void refuse_group(const std::string& who, Index group, const PairFilter& filter) {
+  throw InvalidOptions(who + " is in group " + std::to_string(group) + ": groups must be in [0, " +
+                       std::to_string(filter.group_count) + ")");
+}
+
 void check_groups(const PairFilter& filter, std::size_t rows) {
   const std::vector<Index>& groups = filter.group_of_vertex;
   if (!groups.empty() && groups.size() != rows)
@@ -36,9 +42,8 @@ void check_groups(const PairFilter& filter, std::size_t rows) {
     throw InvalidOptions(
         "group_of_vertex is empty, but group_count or groups_may_touch speak of groups: give one group a vertex");
   for (std::size_t row = 0; row < groups.size(); ++row)
-    if (groups[row] < 0 || groups[row] >= filter.group_count)
-      throw InvalidOptions("the vertex in row " + std::to_string(row) + " is in group " + std::to_string(groups[row]) +
-                           ": groups must be in [0, " + std::to_string(filter.group_count) + ")");
+    if (groups[row] < kNoGroup || groups[row] >= filter.group_count)
+      refuse_group("the vertex in row " + std::to_string(row), groups[row], filter);
 }
 
 void validate(const LocalMesh& mesh, const PairFilter& filter) {
@@ -75,6 +80,7 @@ class InputPartMaker {
     VertexDirectory directory(communicator_, part_.vertex_count);
     const DirectoryAnswer answer = directory.look_up(mentions_);
     together(communicator_, [&] { take_vertices(answer); });
+    take_sample(directory.used_vertices(), answer.entries);
     take_elements(directory, answer.entries);
     if (communicator_.sum(part_.elements.elements.size()) == 0)
       throw InvalidMesh("the mesh has no face, no edge and no point on any rank: give at least one feature");
@@ -86,15 +92,17 @@ class InputPartMaker {
   void mention_all() {
     std::vector<Mention> all;
     for (std::size_t row = 0; row < mesh_.vertices.size(); ++row)
-      all.push_back({mesh_.vertices[row], filter_.group_of_vertex.empty() ? 0 : filter_.group_of_vertex[row], true});
+      all.push_back({.number = mesh_.vertices[row],
+                     .group = filter_.group_of_vertex.empty() ? 0 : filter_.group_of_vertex[row],
+                     .is_given = true});
     for (const Face& face : mesh_.faces)
-      for (const Index v : face) all.push_back({.number = v, .is_covered = true});
+      for (const Index v : face) all.push_back({.number = v, .is_used = true, .is_covered = true});
     for (const Edge& edge : mesh_.loose_edges)
       for (const Index v : edge) {
         const bool is_edge = edge[0] != edge[1];
-        all.push_back({.number = v, .is_covered = is_edge, .is_on_loose_edge = is_edge});
+        all.push_back({.number = v, .is_used = true, .is_covered = is_edge, .is_on_loose_edge = is_edge});
       }
-    for (const Index v : mesh_.loose_points) all.push_back({.number = v});
+    for (const Index v : mesh_.loose_points) all.push_back({.number = v, .is_used = true});
     std::ranges::stable_sort(all, {}, &Mention::number);
     for (const Mention& mention : all)
       if (mentions_.empty() || mentions_.back().number != mention.number)
@@ -107,6 +115,7 @@ class InputPartMaker {
   static void add_to(Mention& mention, const Mention& other) {
     if (mention.is_given && other.is_given)
       throw InvalidMesh("vertex " + std::to_string(other.number) + " has two rows of positions: give it one");
+    mention.is_used |= other.is_used;
     mention.is_covered |= other.is_covered;
     mention.is_on_loose_edge |= other.is_on_loose_edge;
   }
@@ -121,12 +130,28 @@ class InputPartMaker {
         throw InvalidOptions("vertex " + std::to_string(entry.number) + " is in group " +
                              std::to_string(mentions_[v].group) + ", on rank " + std::to_string(entry.home) +
                              " in group " + std::to_string(entry.group) + ": give it the same group everywhere");
+      if (entry.is_used && entry.group == kNoGroup)
+        refuse_group("vertex " + std::to_string(entry.number), entry.group, filter_);
       part_.elements.vertices.push_back({entry.number, entry.group, entry.home});
     }
     part_.row_of_vertex.assign(mentions_.size(), -1);
     for (std::size_t row = 0; row < mesh_.vertices.size(); ++row)
       part_.row_of_vertex[place_of(mesh_.vertices[row])] = static_cast<Index>(row);
     share(answer.sharers);
+  }
+
+  void take_sample(const UsedVertices& used, const std::vector<Entry>& entries) {
+    part_.used_count = used.count;
+    const auto is_spoken_for = [&](std::size_t v) {
+      return entries[v].home == communicator_.rank() && entries[v].is_used;
+    };
+    for (std::size_t v = 0; v < entries.size(); ++v)
+      if (is_spoken_for(v)) part_.spoken_for.push_back(static_cast<Index>(v));
+    for (const auto& [in_sample, number] : used.sample) {
+      const std::size_t v = place_of(number);
+      if (v < entries.size() && entries[v].number == number && is_spoken_for(v))
+        part_.sample.push_back({in_sample, static_cast<Index>(v)});
+    }
   }
 
   void share(const std::vector<Sharer>& sharers) {

@@ -2,6 +2,8 @@
 
 #include <atomic>
 
+#include "detect/detector_access.hpp"
+
 namespace tamis::distributed {
 namespace {
 
@@ -29,7 +31,7 @@ Mesh mesh_of(const ElementSet& set) {
 
 }  // namespace
 
-void LocalSearch::assign(std::span<const ElementSet* const> sets) {
+void LocalSearch::assign(std::span<const ElementSet* const> sets, const BoxFrame& frame) {
   std::vector<ElementId> ids = ids_of(sets);
   if (ids == ids_ && !ids.empty()) {
     for (const ElementSet* set : sets) copy_motions(*set, set_);
@@ -45,15 +47,15 @@ void LocalSearch::assign(std::span<const ElementSet* const> sets) {
     end_[v] = set_.motions[v].end;
   }
   if (!detector_ && !empty()) make_detector();
+  if (detector_) DetectorAccess::use_frame(*detector_, frame);
   pairs_of_vertex_.assign(counts_pairs_ ? set_.vertices.size() : 0, 0);
 }
 
-void LocalSearch::assign_sides(const ElementSet& mine, std::span<const ElementSet* const> others) {
-  std::vector<const ElementSet*> all{&mine};
-  all.insert(all.end(), others.begin(), others.end());
+void LocalSearch::assign_sides(const ElementSet& mine, const ElementSet& others, const BoxFrame& frame) {
+  const ElementSet* const both[] = {&mine, &others};
   if (side_.empty()) detector_.reset();
   side_.assign(1, 0);
-  assign(all);
+  assign(both, frame);
   side_.assign(set_.vertices.size(), 0);
   const auto mark = [&](const ElementSet& set, std::uint8_t side) {
     std::size_t place = 0;
@@ -63,7 +65,7 @@ void LocalSearch::assign_sides(const ElementSet& mine, std::span<const ElementSe
     }
   };
   mark(mine, kMine);
-  for (const ElementSet* set : others) mark(*set, kOthers);
+  mark(others, kOthers);
 }
 
 void LocalSearch::forget() {

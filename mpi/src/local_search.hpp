@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "bounds/box_frame.hpp"
 #include "mpi/src/partition/element_set.hpp"
 #include "tamis/detector.hpp"
 
@@ -22,10 +23,11 @@ class LocalSearch {
   LocalSearch(const LocalSearch&) = delete;
   LocalSearch& operator=(const LocalSearch&) = delete;
 
-  /// Sets the elements to search, and their motions. Keeps the detector if the elements have the ids of last time.
-  void assign(std::span<const ElementSet* const> sets);
+  /// Sets the elements to search, their motions, and the frame of the whole scene. Keeps the detector if the elements
+  /// have the ids of last time.
+  void assign(std::span<const ElementSet* const> sets, const BoxFrame& frame);
   /// The same for a search of pairs with a feature of `mine` and one of `others`; pairs within either may be left out.
-  void assign_sides(const ElementSet& mine, std::span<const ElementSet* const> others);
+  void assign_sides(const ElementSet& mine, const ElementSet& others, const BoxFrame& frame);
   /// To be called when ids begin to name other elements.
   void forget();
   /// From the next question on: does it count for each vertex the pairs of features whose boxes meet in which it takes

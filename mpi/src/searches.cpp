@@ -66,13 +66,12 @@ void Searches::begin(const std::string& question, const Step& step, const QueryO
     decomposition_.send_motions(input_.elements);
   }
   const Stopwatch watch(statistics_.seconds.borrow);
-  frame_elements_ = frame_.span(own());
+  frame_ = frame_of_scene(communicator_, input_, separation);
 }
 
 void Searches::decompose() {
   const Stopwatch watch(statistics_.seconds.decompose);
   decomposition_.decompose(input_.elements);
-  frame_.forget();
   interior_.forget();
   border_.forget();
   statistics_.decomposed_anew = true;

@@ -6,10 +6,10 @@
 
 #include "mpi/src/agreement.hpp"
 #include "mpi/src/borrowing.hpp"
+#include "mpi/src/frame.hpp"
 #include "mpi/src/input_part.hpp"
 #include "mpi/src/local_search.hpp"
 #include "mpi/src/partition/decomposition.hpp"
-#include "mpi/src/partition/frame.hpp"
 #include "mpi/src/stopwatch.hpp"
 #include "tamis/distributed.hpp"
 
@@ -20,8 +20,8 @@ class Searches {
   /// Collective.
   Searches(MPI_Comm raw, const LocalMesh& mesh, Options options);
 
-  /// Collective: begins every question. Checks that all ranks ask the same; afterwards each rank has its own elements,
-  /// and those of the frame, with their motions.
+  /// Collective: begins every question. Checks that all ranks ask the same; afterwards each rank has its own elements
+  /// with their motions, and the frame.
   void begin(const std::string& question, const Step& step, const QueryOptions& options);
   /// Collective. Calls `ask(search)` for a search among own elements while messages are on their way, then for one
   /// against all borrowed elements that `may_matter`.
@@ -58,8 +58,7 @@ class Searches {
   const Options options_;
   InputPart input_;
   Decomposition decomposition_{communicator_};
-  Frame frame_{communicator_};
-  ElementSet frame_elements_;
+  BoxFrame frame_{};
   LocalSearch interior_{options_}, border_{options_};
   QueryOptions asked_;
   bool is_to_decompose_ = true, counts_pairs_ = false;
@@ -99,8 +98,8 @@ std::exception_ptr Searches::search_interior(const Ask& ask) {
   const Stopwatch watch(statistics_.seconds.interior);
   return failure_of([&] {
     if (own().empty()) return;
-    const ElementSet* const sets[] = {&own(), &frame_elements_};
-    interior_.assign(sets);
+    const ElementSet* const sets[] = {&own()};
+    interior_.assign(sets, frame_);
     ask(interior_);
     statistics_.pairs_tested += interior_.pairs_tested();
   });
@@ -118,9 +117,7 @@ std::exception_ptr Searches::search_border(Borrowing& borrowing, const Test& may
   const Stopwatch watch(statistics_.seconds.border);
   return failure_of([&] {
     if (borrowing.borrowed().empty()) return;
-    const ElementSet mine = borrowing.own_near_borrowed(may_matter);
-    const ElementSet* const others[] = {&borrowing.borrowed(), &frame_elements_};
-    border_.assign_sides(mine, others);
+    border_.assign_sides(borrowing.own_near_borrowed(may_matter), borrowing.borrowed(), frame_);
     ask(border_);
     statistics_.pairs_tested += border_.pairs_tested();
   });

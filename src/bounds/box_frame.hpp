@@ -1,13 +1,12 @@
 // The common frame in which boxes are floats: its origin and scale, and how much rounding in it may hide.
 #pragma once
 #include <array>
-#include <span>
 
 #include "numerics/vec.hpp"
-#include "tamis/step.hpp"
 
 namespace tamis {
 
+class SceneVertices;
 struct PackedVertex;
 
 /// box coordinate = (coordinate - origin) * scale: within [-1,1] for every vertex of the step but outliers. Scale is a
@@ -49,9 +48,11 @@ struct BoxFrame {
   /// A distance in box coordinates, rounded up with room for later additions; capped where two boxes that are each
   /// widened by it meet wherever they are.
   float distance(double distance) const;
+
+  friend bool operator==(const BoxFrame&, const BoxFrame&) = default;
 };
 
-/// The frame of the vertices `used`, or of the finest of them (fine_place.hpp). Half the separation widens boxes.
-BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_separation);
+/// The frame of a scene's vertices, or of the finest of them (fine_place.hpp). Half the separation widens boxes.
+BoxFrame frame_of(const SceneVertices& scene, double min_separation);
 
 }  // namespace tamis

@@ -14,21 +14,18 @@ double largest_difference(const double* a, const double* b) {
   return std::max({std::fabs(a[0] - b[0]), std::fabs(a[1] - b[1]), std::fabs(a[2] - b[2])});
 }
 
-constexpr std::size_t kFewestVertices = 64;
+constexpr std::size_t kMostSampled = 128;
 
 /// A sample of the vertices, each with its distance to the next vertex by number.
 class SomeVertices {
  public:
-  /// The sample is so small that its cost is a hundredth of a question's. REQUIRES: kFewestVertices or more.
-  SomeVertices(const Step& step, std::span<const Index> used)
-      : count_(std::clamp(used.size() / 64, std::min<std::size_t>(used.size() / 8, 32), kMost)) {
-    TAMIS_ASSERT(used.size() >= kFewestVertices);
+  /// REQUIRES: a sample, and not an empty one.
+  explicit SomeVertices(std::span<const SampledVertex> sample) : sample_(sample), count_(sample.size() / 2) {
+    TAMIS_ASSERT(count_ > 0 && count_ <= kMostSampled);
     for (std::size_t i = 0; i < count_; ++i) {
-      const std::size_t at = (2 * i + 1) * used.size() / (2 * count_);
-      const Index v = used[at], next = used[at + 1];
-      vertices_[i] = v;
-      distances_[i] = std::max(largest_difference(step.start[v], step.start[next]),
-                               largest_difference(step.end[v], step.end[next]));
+      const SampledVertex &v = sample[2 * i], &next = sample[2 * i + 1];
+      distances_[i] = std::max(largest_difference(v.start.data(), next.start.data()),
+                               largest_difference(v.end.data(), next.end.data()));
     }
     find_shortest();
   }
@@ -40,28 +37,26 @@ class SomeVertices {
   /// Chooses `count` of the sampled vertices: those with up to eight times the shortest distance weigh the same, others
   /// weigh less in inverse proportion to their distance.
   template <std::size_t count>
-  std::array<Index, count> finest() const {
+  std::array<SampledVertex, count> finest() const {
     const double fine = std::max(8 * shortest_, std::numeric_limits<double>::min());
-    std::array<double, kMost> weights;
+    std::array<double, kMostSampled> weights;
     double sum = 0;
     for (std::size_t i = 0; i < count_; ++i)
       sum += weights[i] = distances_[i] < nothing_ ? 0 : fine / std::max(distances_[i], fine);
-    std::array<Index, count> chosen;
+    std::array<SampledVertex, count> chosen;
     double passed = weights[0];
     for (std::size_t n = 0, i = 0; n < count; ++n) {
       while (passed * (2 * count) < sum * static_cast<double>(2 * n + 1) && i + 1 < count_) passed += weights[++i];
-      chosen[n] = vertices_[i];
+      chosen[n] = sample_[2 * i];
     }
     return chosen;
   }
 
  private:
-  static constexpr std::size_t kMost = 128;
-
   void find_shortest() {
     constexpr std::ptrdiff_t kSlivers = 2;
     constexpr double kNothing = 0x1p-24;
-    std::array<double, kMost> sorted = distances_;
+    std::array<double, kMostSampled> sorted = distances_;
     const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(count_);
     std::sort(sorted.begin(), end);
     nothing_ = kNothing * sorted[count_ / 2];
@@ -69,15 +64,15 @@ class SomeVertices {
     shortest_ = first[std::min(kSlivers, end - first - 1)];
   }
 
+  std::span<const SampledVertex> sample_;
   std::size_t count_;
-  std::array<Index, kMost> vertices_;
-  std::array<double, kMost> distances_;
+  std::array<double, kMostSampled> distances_;
   double shortest_, nothing_;
 };
 
 /// Of an odd number of vertices.
 template <std::size_t count, class F>
-double median(const std::array<Index, count>& vertices, const F& value_of) {
+double median(const std::array<SampledVertex, count>& vertices, const F& value_of) {
   std::array<double, count> values;
   std::ranges::transform(vertices, values.begin(), value_of);
   std::ranges::nth_element(values, values.begin() + count / 2);
@@ -90,18 +85,33 @@ double FinePlace::distance_to(const double* at_start, const double* at_end) cons
   return std::max(largest_difference(at_start, start.data()), largest_difference(at_end, end.data()));
 }
 
-std::optional<FinePlace> place_finer_than(double width, const Step& step, std::span<const Index> used) {
-  if (used.size() < kFewestVertices) return {};
-  const SomeVertices some(step, used);
+/// So few that their cost is a hundredth of a question's.
+std::vector<std::size_t> sample_places(std::size_t count) {
+  constexpr std::size_t kFewestVertices = 64;
+  std::vector<std::size_t> places;
+  if (count < kFewestVertices) return places;
+  const std::size_t sampled = std::clamp(count / 64, std::min<std::size_t>(count / 8, 32), kMostSampled);
+  for (std::size_t i = 0; i < sampled; ++i) {
+    const std::size_t place = (2 * i + 1) * count / (2 * sampled);
+    places.push_back(place);
+    places.push_back(place + 1);
+  }
+  return places;
+}
+
+std::optional<FinePlace> place_finer_than(double width, std::span<const SampledVertex> sample) {
+  if (sample.empty()) return {};
+  const SomeVertices some(sample);
   if (!(some.shortest() < width)) return {};
-  const std::array<Index, 15> finest = some.finest<15>();
+  const std::array<SampledVertex, 15> finest = some.finest<15>();
   FinePlace place{};
   for (std::size_t k = 0; k < 3; ++k) {
-    place.start[k] = median(finest, [&](Index v) { return step.start[v][k]; });
-    place.end[k] = median(finest, [&](Index v) { return step.end[v][k]; });
+    place.start[k] = median(finest, [&](const SampledVertex& v) { return v.start[k]; });
+    place.end[k] = median(finest, [&](const SampledVertex& v) { return v.end[k]; });
   }
   place.radius =
-      std::max(some.shortest(), median(finest, [&](Index v) { return place.distance_to(step.start[v], step.end[v]); }));
+      std::max(some.shortest(),
+               median(finest, [&](const SampledVertex& v) { return place.distance_to(v.start.data(), v.end.data()); }));
   if (!(place.radius < width)) return {};
   return place;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bounds/box.hpp"
+#include "bounds/scene_vertices.hpp"
 #include "bounds/shared_motion.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/in_parts.hpp"
@@ -28,13 +29,15 @@ float hidden_of(const BoxVertex& vertex, float margin) {
 
 }  // namespace
 
-bool PackedMotion::assign(const Step& step, std::span<const Index> used, const Separations& new_separations) {
+bool PackedMotion::assign(const Step& step, std::span<const Index> used, const Separations& new_separations,
+                          const BoxFrame* of_scene) {
   TAMIS_ASSERT(step.start.count() == step.end.count());
   TAMIS_ASSERT(new_separations.radii.empty() ||
                new_separations.radii.size() == static_cast<std::size_t>(step.start.count()));
   const bool is_first = vertices.empty();
   const double last_separation = std::exchange(separations, new_separations).fixed;
-  frame = frame_of(step, used, separations.fixed);
+  const BoxFrame last_frame =
+      std::exchange(frame, of_scene ? *of_scene : frame_of(StepVertices(step, used), separations.fixed));
   const auto count = static_cast<std::size_t>(step.start.count());
   vertices.resize(count);
   box_vertices.resize(count);
@@ -42,7 +45,7 @@ bool PackedMotion::assign(const Step& step, std::span<const Index> used, const S
       joined_parts(used, kVerticesPerPart, std::uint64_t{0}, std::bit_or<>(), [&](std::span<const Index> some) {
         return frame.has_outliers ? load<true>(some, step) : load<false>(some, step);
       });
-  return is_first || (bits | different_bits(last_separation, separations.fixed)) != 0;
+  return is_first || frame != last_frame || (bits | different_bits(last_separation, separations.fixed)) != 0;
 }
 
 template <bool has_outliers>

@@ -59,13 +59,15 @@ struct PackedMotion {
   std::vector<BoxVertex> box_vertices;
   std::vector<BoxVertex> residuals;
   float spread = 0;  ///< the extent of all residuals but outliers', summed over the axes
-  BoxFrame frame;
+  BoxFrame frame{};
   Separations separations;
 
-  /// Loads the vertices `used` and the separations; residuals stay. Returns false if no bit of these has changed.
-  /// REQUIRES: the same number of positions at both ends, and of radii unless there are none. REQUIRES (not checked:
-  /// O(n)): a validated step.
-  bool assign(const Step& step, std::span<const Index> used, const Separations& separations);
+  /// Loads the vertices `used` and the separations; residuals stay. `of_scene`: the frame, if the vertices are part of
+  /// a larger scene; null: that of the vertices. Returns false if no bit of all these has changed. REQUIRES: the same
+  /// number of positions at both ends, and of radii unless there are none. REQUIRES (not checked: O(n)): a validated
+  /// step, whose vertices are among those that `of_scene` was made of.
+  bool assign(const Step& step, std::span<const Index> used, const Separations& separations,
+              const BoxFrame* of_scene = nullptr);
   /// Computes the residuals of the vertices `used`: their displacements less the motion `shared`.
   void assign_residuals(std::span<const Index> used, const SharedMotion& shared);
   /// Does the vertex lie outside the frame?

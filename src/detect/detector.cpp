@@ -81,4 +81,6 @@ Detector DetectorAccess::make(Mesh mesh, Options options, const MakeEngine& make
 
 Detector::LockedState DetectorAccess::lock(const Detector& detector) { return Detector::LockedState(detector); }
 
+void DetectorAccess::use_frame(Detector& detector, const BoxFrame& of_scene) { lock(detector)->use_frame(of_scene); }
+
 }  // namespace tamis

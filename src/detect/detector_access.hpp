@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 
+#include "bounds/box_frame.hpp"
 #include "query/engine.hpp"
 #include "tamis/detector.hpp"
 
@@ -24,6 +25,9 @@ class DetectorAccess {
   static Detector make(Mesh mesh, Options options, const MakeEngine& make_engine);
   /// Locks the state for one question that is asked of the state itself (detect/detector_state.hpp). Throws Busy.
   static Detector::LockedState lock(const Detector& detector);
+  /// For a mesh that is a part of a larger scene: gives the next questions about a step that scene's frame. Throws
+  /// Busy. REQUIRES (not checked: O(n)): it was made of that step, and of vertices among which those of the mesh are.
+  static void use_frame(Detector& detector, const BoxFrame& of_scene);
 };
 
 }  // namespace tamis

@@ -74,6 +74,7 @@ Query Detector::State::validated_query(const Step& step, const QueryOptions& ask
   in_arena_if_long([&] { validate(step, mesh); });
   Query result = query(step, separations(asked), question);
   result.ignores_start = asked.at_start == AtStart::ignore;
+  if (frame_) result.frame = &*frame_;
   return result;
 }
 

@@ -1,8 +1,10 @@
 // The state that a detector keeps from question to question, and the functions that answer questions.
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "bounds/box_frame.hpp"
 #include "detect/arena.hpp"
 #include "detect/contact_order.hpp"
 #include "detect/detector_access.hpp"
@@ -20,6 +22,9 @@ struct Detector::State {
   /// contact and intersection depend on its pair alone (Query::depends_on_pair_alone). REQUIRES: a radius for each
   /// vertex, no radii in the options. REQUIRES (not checked: O(n)): finite and >= 0.
   void serve_world(std::vector<double> radii);
+
+  /// As in DetectorAccess.
+  void use_frame(const BoxFrame& of_scene) { frame_ = of_scene; }
 
   /// All contacts: those in `found`.
   const std::vector<Contact>& find_contacts(const Step& step, const QueryOptions& asked);
@@ -87,6 +92,7 @@ struct Detector::State {
   std::vector<Intersection> intersections_;
   std::vector<double> radii_;  ///< of the vertices; empty: all zero
   bool serves_world_ = false;
+  std::optional<BoxFrame> frame_;  ///< of the whole scene, if the mesh is a part of it
   std::unique_ptr<Engine> engine_;
   ContactSorter sorter_;
 };

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "bounds/box_frame.hpp"
 #include "motion/separations.hpp"
 #include "narrow/kept_distance.hpp"
 #include "tamis/options.hpp"
@@ -19,7 +20,7 @@ enum class Question : std::uint8_t {
   is_free,  ///< also in a search for intersections: is there none?
 };
 
-/// Refers to positions, radii, filter, rings and function, which must outlive it.
+/// Refers to positions, radii, filter, rings, function and frame, which must outlive it.
 struct Query {
   Step step;  ///< for a question about one pose: from the pose to itself
   Separations separations;
@@ -32,6 +33,8 @@ struct Query {
   /// crossings may also depend on what else is in the mesh. (With a separation lanes have these bits always.)
   /// Intersections then also ask `filter.accepts`, of the edge's first vertex and the face.
   bool depends_on_pair_alone = false;
+  /// The frame of the whole scene, if the mesh is a part of it; null: that of the mesh.
+  const BoxFrame* frame = nullptr;
   /// The step is a piece of a path: the next one has other radii, so nothing is listed ahead.
   bool is_piece = false;
   /// For find_step_ends alone, one a vertex: pairs all of whose vertices have 0 are known already, and may be left out

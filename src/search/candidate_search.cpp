@@ -37,7 +37,7 @@ bool CandidateSearch::list(const Query& query, const Listing& listing, PairLists
   CandidateQuery asked{listed, listing.deviation, most};
   Separations separations = listing.separations;
   separations.fixed += 2 * listing.deviation;
-  trees.refit_for(listing.step, separations);
+  trees.refit_for(listing.step, separations, nullptr);
   streams_.begin(asked);
   double part = 0;
   for (const Sample& sample : Samples(trees.most_leaf_blocks())) {
@@ -59,16 +59,16 @@ bool CandidateSearch::prepare(const Query& query, LooksAt looks_at, bool is_list
   FeatureTrees& trees = workspace_.trees;
   if (!is_listed) {
     // Refit to the query even if lists follow: the decision to rebuild must not see the step that they are for.
-    trees.refit_or_rebuild(query.step, query.separations, looks_at, statistics);
+    trees.refit_or_rebuild(query.step, query.separations, query.frame, looks_at, statistics);
     const std::optional<Listing> listing = kept.plan(query);
     if (!listing) return false;
     const Stopwatch watch;
     is_listed = list(query, *listing, kept.lists(), statistics);
     kept.end_listing(is_listed);
-    if (!is_listed) trees.refit_for(query.step, query.separations);
+    if (!is_listed) trees.refit_for(query.step, query.separations, query.frame);
     statistics.seconds.build += watch.seconds();
   }
-  if (is_listed && kept.lists().any()) trees.load_vertices(query.step, query.separations, statistics);
+  if (is_listed && kept.lists().any()) trees.load_vertices(query.step, query.separations, query.frame, statistics);
   return is_listed;
 }
 

@@ -30,7 +30,8 @@ void ContactSearch::find(const Query& query, ContactCollector& answer, Statistic
   streams_.begin(answer);
   if (is_listed) search_lists(answer);
   const bool is_undecided = is_listed ? ahead_.leaves_undecided(answer) : !search_beginnings(answer, statistics);
-  if (is_listed && is_undecided) trees.refit_or_rebuild(query.step, query.separations, looks_at, statistics);
+  if (is_listed && is_undecided)
+    trees.refit_or_rebuild(query.step, query.separations, query.frame, looks_at, statistics);
   if (is_undecided) search_trees(answer);
   using Counts = SearchCounts;
   const Counts counts =
@@ -66,14 +67,14 @@ bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& stat
     const Listing beginning = listing_of_beginning(query, workspace_.mesh.points(), length);
     const bool is_complete = candidates_.list(query, beginning, lists, statistics);
     if (is_complete) {
-      trees.load_vertices(query.step, query.separations, statistics);
+      trees.load_vertices(query.step, query.separations, query.frame, statistics);
       streams_.begin(answer);
       answer.count_ignored_anew();
       streams_.search_lists(lists, {0, 1}, {0, 1}, float_after(answer.bound().latest()));
       gather(answer);
       if (answer.bound().latest() < length) return true;  // pairs that are not listed touch at `length` or later
     }
-    trees.refit_for(query.step, query.separations);
+    trees.refit_for(query.step, query.separations, query.frame);
     streams_.begin(answer);
     if (!is_complete) return false;
   }

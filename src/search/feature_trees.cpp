@@ -45,10 +45,10 @@ void FeatureTrees::for_each_tree(const F& f) {
   for_each_in_parts(all, at_a_time, [&](BlockTree* tree) { f(*tree); });
 }
 
-void FeatureTrees::refit_or_rebuild(const Step& step, const Separations& separations, LooksAt looks_at,
-                                    Statistics& statistics) {
+void FeatureTrees::refit_or_rebuild(const Step& step, const Separations& separations, const BoxFrame* frame,
+                                    LooksAt looks_at, Statistics& statistics) {
   Stopwatch watch;
-  assign(step, separations);
+  assign(step, separations, frame);
   statistics.seconds.bounds += watch.lap();
   const bool looks_at_start = looks_at != LooksAt::whole_step;
   start_in_row_ = looks_at_start ? start_in_row_ + 1 : 0;
@@ -57,10 +57,10 @@ void FeatureTrees::refit_or_rebuild(const Step& step, const Separations& separat
   statistics.seconds.build += watch.lap();
 }
 
-void FeatureTrees::assign(const Step& step, const Separations& separations) {
+void FeatureTrees::assign(const Step& step, const Separations& separations, const BoxFrame* frame) {
   TAMIS_ASSERT(step.start.count() == mesh_.vertex_count() && step.end.count() == mesh_.vertex_count());
   mark({});
-  if (motion_.assign(step, mesh_.points(), separations)) boxes_are_current_ = false;
+  if (motion_.assign(step, mesh_.points(), separations, frame)) boxes_are_current_ = false;
 }
 
 bool FeatureTrees::are_of(const Step& step) const {
@@ -71,9 +71,9 @@ bool FeatureTrees::are_of(const Step& step) const {
          std::equal(packed.end(), packed.end() + 3, step.end[some]);
 }
 
-void FeatureTrees::refit_for(const Step& step, const Separations& separations) {
+void FeatureTrees::refit_for(const Step& step, const Separations& separations, const BoxFrame* frame) {
   TAMIS_ASSERT(points_.is_built());
-  assign(step, separations);
+  assign(step, separations, frame);
   if (!boxes_are_current_) refit_trees();
 }
 
@@ -85,9 +85,10 @@ void FeatureTrees::refit_trees() {
   boxes_are_current_ = true;
 }
 
-void FeatureTrees::load_vertices(const Step& step, const Separations& separations, Statistics& statistics) {
+void FeatureTrees::load_vertices(const Step& step, const Separations& separations, const BoxFrame* frame,
+                                 Statistics& statistics) {
   const Stopwatch watch;
-  assign(step, separations);
+  assign(step, separations, frame);
   statistics.seconds.bounds += watch.seconds();
 }
 

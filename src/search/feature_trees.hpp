@@ -24,14 +24,17 @@ class FeatureTrees {
 
   // REQUIRES, all: as many positions as the mesh has vertices. REQUIRES (not checked: O(n)): a validated step.
 
+  // `frame`: of the whole scene, if the mesh is a part of it; null: that of the mesh.
+
   /// Gives the trees the boxes of this step: refits them, or rebuilds them where their order has become poor or was
   /// chosen for other questions. Does nothing if they are current, in an order that serves. Adds seconds and `rebuilt`.
-  void refit_or_rebuild(const Step& step, const Separations& separations, LooksAt looks_at, Statistics& statistics);
+  void refit_or_rebuild(const Step& step, const Separations& separations, const BoxFrame* frame, LooksAt looks_at,
+                        Statistics& statistics);
 
   /// Refits to any step in the old order. REQUIRES: an earlier refit_or_rebuild() that ended.
-  void refit_for(const Step& step, const Separations& separations);
+  void refit_for(const Step& step, const Separations& separations, const BoxFrame* frame);
   /// Loads the vertices alone. The boxes stay those of an earlier step, if any, and must not be searched.
-  void load_vertices(const Step& step, const Separations& separations, Statistics& statistics);
+  void load_vertices(const Step& step, const Separations& separations, const BoxFrame* frame, Statistics& statistics);
   /// Are boxes and vertices those of this step? Judged by one vertex.
   bool are_of(const Step& step) const;
   /// Refits the boxes of residuals: displacements less a shared motion. REQUIRES: current boxes.
@@ -78,7 +81,7 @@ class FeatureTrees {
   template <class F>
   void for_each_tree(const F& f);
   /// Loads the vertices; the boxes stay current only if no vertex has changed.
-  void assign(const Step& step, const Separations& separations);
+  void assign(const Step& step, const Separations& separations, const BoxFrame* frame);
 
   const Mesh& mesh_;
   const Options& options_;

@@ -70,7 +70,7 @@ void IntersectionConsumer::decide_singly(std::span<const int> pairs) {
 
 void IntersectionSearch::find(const Query& query, std::vector<Intersection>& found, Statistics& statistics) {
   const FeatureTrees& trees = workspace_.trees;
-  workspace_.trees.refit_or_rebuild(query.step, {}, LooksAt::start, statistics);
+  workspace_.trees.refit_or_rebuild(query.step, {}, nullptr, LooksAt::start, statistics);
   const Stopwatch watch;
   IntersectionQuery asked{query};
   streams_.begin(asked);

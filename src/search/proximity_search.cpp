@@ -59,7 +59,7 @@ void ProximityConsumer::describe(PairKind kind, std::span<const PairVertices> pa
 }
 
 void ProximitySearch::find(const Query& query, std::vector<NearPair>& pairs, Statistics& statistics) {
-  workspace_.trees.refit_or_rebuild(query.step, query.separations, LooksAt::start, statistics);
+  workspace_.trees.refit_or_rebuild(query.step, query.separations, nullptr, LooksAt::start, statistics);
   Stopwatch watch;
   streams_.begin(query);
   streams_.search_trees();

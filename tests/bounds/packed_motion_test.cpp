@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "bounds/scene_vertices.hpp"
 #include "bounds/shared_motion.hpp"
 
 namespace tamis {
@@ -105,7 +106,7 @@ std::vector<Point> sheet(int vertices, double size, double place) {
 BoxFrame frame_of(const std::vector<Point>& start, const std::vector<Point>& end) {
   std::vector<Index> used(start.size());
   std::iota(used.begin(), used.end(), 0);
-  return tamis::frame_of({start, end}, used, 0);
+  return tamis::frame_of(StepVertices({start, end}, used), 0);
 }
 
 std::vector<Point> joined(std::vector<Point> points, const std::vector<Point>& others) {

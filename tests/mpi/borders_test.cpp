@@ -20,18 +20,6 @@ Scene two_triangles() {
   return scene;
 }
 
-void expect_same_for_all_cuts(const Scene& scene, const Options& options = one_thread()) {
-  Detector one(scene.mesh(), options);
-  const OneAnswers expected = answers_of(one, scene);
-  for (const Cut& cut : cuts()) {
-    const Part part = part_of(scene, cut);
-    Options local = options;
-    if (!options.filter.group_of_vertex.empty()) local.filter.group_of_vertex = part.group_of_vertex;
-    distributed::Detector many(MPI_COMM_WORLD, part.mesh, local);
-    expect_same_answers(expected, many, part, cut.name);
-  }
-}
-
 TEST(Borders, MoreRanksThanTriangles) { expect_same_for_all_cuts(two_triangles()); }
 
 TEST(Borders, TrianglesGivenSeveralTimesHaveTheirContactsAsOften) {

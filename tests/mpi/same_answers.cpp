@@ -72,4 +72,16 @@ void expect_same_answers(const OneAnswers& one, distributed::Detector& many, con
   expect_same(one.safe_ignoring_start, many.safe_step(part.step(), 0.1, ignore), what);
 }
 
+void expect_same_for_all_cuts(const scenes::Scene& scene, const Options& options) {
+  Detector one(scene.mesh(), options);
+  const OneAnswers expected = answers_of(one, scene);
+  for (const Cut& cut : cuts()) {
+    const Part part = part_of(scene, cut);
+    Options local = options;
+    if (!options.filter.group_of_vertex.empty()) local.filter.group_of_vertex = part.group_of_vertex;
+    distributed::Detector many(MPI_COMM_WORLD, part.mesh, local);
+    expect_same_answers(expected, many, part, cut.name);
+  }
+}
+
 }  // namespace tamis::test

@@ -34,4 +34,7 @@ OneAnswers answers_of(Detector& one, const scenes::Scene& scene, double separati
 /// Asks everything about the step of which one process has said `one`.
 void expect_same_answers(const OneAnswers& one, distributed::Detector& many, const Part& part, const std::string& what);
 
+/// Asks everything about the scene's step, in all ways to cut it in parts.
+void expect_same_for_all_cuts(const scenes::Scene& scene, const Options& options = one_thread());
+
 }  // namespace tamis::test

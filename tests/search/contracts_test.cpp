@@ -29,26 +29,26 @@ struct Trees {
 
 TEST_F(Contracts, TreesBeforeTheirFirstStep) {
   Trees t;
-  EXPECT_DEATH(t.trees.refit_for(t.step, {}), "is_built");
+  EXPECT_DEATH(t.trees.refit_for(t.step, {}, nullptr), "is_built");
 }
 
 TEST_F(Contracts, TreesOfAnotherMesh) {
   Trees t;
   const Points few(3);
-  EXPECT_DEATH(t.trees.refit_or_rebuild({few, few}, {}, LooksAt::whole_step, t.statistics), "vertex_count");
+  EXPECT_DEATH(t.trees.refit_or_rebuild({few, few}, {}, nullptr, LooksAt::whole_step, t.statistics), "vertex_count");
 }
 
 TEST_F(Contracts, TreesKnowWhoseBoxesTheyHave) {
   Trees t;
   EXPECT_FALSE(t.trees.are_of(t.step));
-  t.trees.refit_or_rebuild(t.step, {}, LooksAt::whole_step, t.statistics);
+  t.trees.refit_or_rebuild(t.step, {}, nullptr, LooksAt::whole_step, t.statistics);
   EXPECT_TRUE(t.trees.are_of(t.step));
-  t.trees.load_vertices(t.other_step, {}, t.statistics);
+  t.trees.load_vertices(t.other_step, {}, nullptr, t.statistics);
   EXPECT_TRUE(t.trees.are_of(t.other_step)) << "nothing moved";
   for (Point& p : t.other) p[2] += 1;  // another step in the same memory
-  t.trees.load_vertices(t.other_step, {}, t.statistics);
+  t.trees.load_vertices(t.other_step, {}, nullptr, t.statistics);
   EXPECT_FALSE(t.trees.are_of(t.other_step)) << "the boxes are where they were";
-  t.trees.refit_for(t.other_step, {});
+  t.trees.refit_for(t.other_step, {}, nullptr);
   EXPECT_TRUE(t.trees.are_of(t.other_step));
 }
 
@@ -59,7 +59,7 @@ TEST_F(Contracts, ResidualsWithoutBoxes) {
 
 TEST_F(Contracts, SearchesThatCannotEnd) {
   Trees t;
-  t.trees.refit_or_rebuild(t.step, {}, LooksAt::whole_step, t.statistics);
+  t.trees.refit_or_rebuild(t.step, {}, nullptr, LooksAt::whole_step, t.statistics);
   PairBuffer pairs;
   Search search{t.trees.edges(), t.trees.faces()};
   const auto kernel = kernels(Isa::best).of(PairKind::vertex_face).search;

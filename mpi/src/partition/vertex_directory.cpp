@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "bounds/fine_place.hpp"
 #include "mpi/src/agreement.hpp"
 
 namespace tamis::distributed {
@@ -47,8 +48,9 @@ std::vector<MentionOfRank> sorted_mentions(const std::vector<Message>& messages)
 
 /// REQUIRES: all mentions of one vertex, by rank.
 Entry entry_of(std::span<const MentionOfRank> mentions) {
-  Entry entry{mentions[0].mention.number, 0, -1, false, false};
+  Entry entry{mentions[0].mention.number, 0, -1, false, false, false};
   for (const auto& [rank, mention] : mentions) {
+    entry.is_used |= mention.is_used;
     entry.is_covered |= mention.is_covered;
     entry.is_on_loose_edge |= mention.is_on_loose_edge;
     if (!mention.is_given || entry.home >= 0) continue;
@@ -58,14 +60,17 @@ Entry entry_of(std::span<const MentionOfRank> mentions) {
   return entry;
 }
 
-/// Makes the answers to ranks that asked, and tells homes which other ranks have their vertices.
-void answer_all(const std::vector<Message>& asked, std::vector<Message>& answers, std::vector<Message>& sharers) {
+/// Makes the answers to ranks that asked, and tells homes which other ranks have their vertices. Lists the vertices
+/// that are used.
+void answer_all(const std::vector<Message>& asked, std::vector<Message>& answers, std::vector<Message>& sharers,
+                std::vector<Index>& used) {
   Mail to_askers, to_homes;
   const std::vector<MentionOfRank> all = sorted_mentions(asked);
   for (std::size_t first = 0, last = 0; first < all.size(); first = last) {
     while (last < all.size() && all[last].mention.number == all[first].mention.number) ++last;
     const auto of_vertex = std::span(all).subspan(first, last - first);
     const Entry entry = entry_of(of_vertex);
+    if (entry.is_used) used.push_back(entry.number);
     for (const MentionOfRank& m : of_vertex) {
       to_askers.to(m.rank).put(entry);
       if (entry.home >= 0 && m.rank != entry.home) to_homes.to(entry.home).put(Sharer{m.rank, entry.number});
@@ -84,7 +89,7 @@ DirectoryAnswer VertexDirectory::look_up(const std::vector<Mention>& mentions) {
   std::vector<Message> questions, answers, sharers;
   together(communicator_, [&] { questions = questions_of(mentions); });
   const std::vector<Message> asked = exchange(communicator_, std::move(questions));
-  together(communicator_, [&] { answer_all(asked, answers, sharers); });
+  together(communicator_, [&] { answer_all(asked, answers, sharers, used_); });
   answers = exchange(communicator_, std::move(answers));
   sharers = exchange(communicator_, std::move(sharers));
   DirectoryAnswer answer;
@@ -97,6 +102,25 @@ DirectoryAnswer VertexDirectory::look_up(const std::vector<Mention>& mentions) {
     std::ranges::sort(answer.sharers, {}, [](const Sharer& s) { return std::pair(s.rank, s.number); });
   });
   return answer;
+}
+
+UsedVertices VertexDirectory::used_vertices() const {
+  UsedVertices all;
+  std::size_t before = 0;
+  int rank = 0;
+  Packer count;
+  count.put(used_.size());
+  for (const Bytes& bytes : communicator_.gather_for_all(count.take())) {
+    if (rank++ == communicator_.rank()) before = all.count;
+    all.count += Unpacker(bytes).get<std::size_t>();
+  }
+  Packer mine;
+  const std::vector<std::size_t> places = sample_places(all.count);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (places[i] >= before && places[i] - before < used_.size()) mine.put(SampledNumber{i, used_[places[i] - before]});
+  for (const Bytes& bytes : communicator_.gather_for_all(mine.take()))
+    std::ranges::copy(all_of<SampledNumber>(bytes), std::back_inserter(all.sample));
+  return all;
 }
 
 std::vector<Message> VertexDirectory::questions_of(const std::vector<Mention>& mentions) const {

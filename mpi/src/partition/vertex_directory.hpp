@@ -14,6 +14,7 @@ struct Mention {
   Index number;
   Index group = 0;
   bool is_given = false;    ///< this rank gives its position and group
+  bool is_used = false;     ///< by a feature of this rank
   bool is_covered = false;  ///< by a face or an edge
   bool is_on_loose_edge = false;
 };
@@ -23,6 +24,7 @@ struct Entry {
   Index number;
   Index group;            ///< as its home gives it
   int home;               ///< the lowest rank that gives its position; -1: none does
+  bool is_used;           ///< by a feature of any rank
   bool is_covered;        ///< by a face or an edge of any rank
   bool is_on_loose_edge;  ///< of any rank
 };
@@ -38,12 +40,26 @@ struct DirectoryAnswer {
   std::vector<Sharer> sharers;  ///< by rank, then number
 };
 
+/// A vertex of the sample of which the frame is made (bounds/fine_place.hpp).
+struct SampledNumber {
+  std::size_t place;  ///< in the sample
+  Index number;
+};
+
+/// The vertices that features of any rank use.
+struct UsedVertices {
+  std::size_t count = 0;
+  std::vector<SampledNumber> sample;
+};
+
 class VertexDirectory {
  public:
   VertexDirectory(Communicator& communicator, Index vertex_count);
 
   /// Collective. `mentions`: one a vertex.
   DirectoryAnswer look_up(const std::vector<Mention>& mentions);
+  /// Collective. REQUIRES: look_up.
+  UsedVertices used_vertices() const;
   /// Collective. Returns those edges of `loose` that are among the `sides` of triangles of any rank; sorted.
   std::vector<Edge> covered_edges(const std::vector<Edge>& loose, const std::vector<Edge>& sides);
 
@@ -52,7 +68,8 @@ class VertexDirectory {
   int rank_for(Index number) const { return static_cast<int>(number / range_); }
 
   Communicator& communicator_;
-  const Index range_;  ///< how many numbers one rank keeps
+  const Index range_;        ///< how many numbers one rank keeps
+  std::vector<Index> used_;  ///< those of this rank's range that features use, ascending
 };
 
 }  // namespace tamis::distributed

@@ -1,0 +1,48 @@
+#include "bounds/scene_vertices.hpp"
+
+#include "numerics/in_parts.hpp"
+
+namespace tamis {
+namespace {
+
+Point point_at(const double* p) { return {p[0], p[1], p[2]}; }
+
+/// Of the vertices for which is_one(start, end) holds.
+template <class F>
+EndBoxes boxes_of(const Step& step, std::span<const Index> used, const F& is_one) {
+  const auto join = [](const EndBoxes& a, const EndBoxes& b) {
+    return EndBoxes{joined(a.start, b.start), joined(a.end, b.end), a.count + b.count};
+  };
+  return joined_parts(used, kVerticesPerPart, EndBoxes(), join, [&](std::span<const Index> some) {
+    EndBoxes boxes;
+    for (const Index v : some) {
+      if (!is_one(step.start[v], step.end[v])) continue;
+      ++boxes.count;
+      boxes.start.include(point_at(step.start[v]));
+      boxes.end.include(point_at(step.end[v]));
+    }
+    return boxes;
+  });
+}
+
+}  // namespace
+
+EndBoxes StepVertices::boxes() const {
+  return boxes_of(step_, used_, [](const double*, const double*) { return true; });
+}
+
+EndBoxes StepVertices::boxes_near(const FinePlace& place, double distance) const {
+  return boxes_of(step_, used_,
+                  [&](const double* start, const double* end) { return place.distance_to(start, end) <= distance; });
+}
+
+std::vector<SampledVertex> StepVertices::sample() const {
+  std::vector<SampledVertex> vertices;
+  for (const std::size_t place : sample_places(used_.size())) {
+    const Index v = used_[place];
+    vertices.push_back({point_at(step_.start[v]), point_at(step_.end[v])});
+  }
+  return vertices;
+}
+
+}  // namespace tamis

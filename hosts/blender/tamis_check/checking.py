@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from .library import Trouble, tamis
-from .recording import Topology, frame_of, instancers, readable, topology_of
+from .recording import Selection, Topology, besides_meshes, frame_of, readable, topology_of
 
 # How many vertices the first feature of each kind of pair has: vf, ee, ve, vv, ef, as in tamis.AuditKind.
 _FIRST = (1, 2, 1, 1, 2)
@@ -27,13 +27,17 @@ class BadFrame:
     problem: str = ""
     who: str = ""
     features: list[tuple[bool, np.ndarray]] = field(default_factory=list)  # of an intersection? where its vertices are
-    faces: dict[str, np.ndarray] = field(default_factory=dict)  # by object
+    faces: dict[str, np.ndarray] = field(default_factory=dict)  # of each object that was checked
 
     def __str__(self) -> str:
         if self.problem:
             return self.problem
-        counts = [(self.intersections, "intersections"), (self.contacts, "contacts")]
-        return f"{', '.join(f'{n} {word}' for n, word in counts if n)}: {self.who}"
+        counts = [(self.intersections, "intersection"), (self.contacts, "contact")]
+        return f"{', '.join(_counted(n, word) for n, word in counts if n)}: {self.who}"
+
+
+def _counted(n: int, word: str) -> str:
+    return f"{n} {word}" if n == 1 else f"{n} {word}s"
 
 
 @dataclass
@@ -47,43 +51,52 @@ class Findings:
     left_out: list[str] = field(default_factory=list)  # objects of which something was not asked about
 
     def __str__(self) -> str:
-        said = f"{len(self.bad)} of {self.frames} frames are bad, the first is {min(self.bad, default=0)}"
+        if not self.frames:
+            return "no frame was checked"
+        frames, verb = _counted(self.frames, "frame"), "is" if len(self.bad) == 1 else "are"
+        said = f"{len(self.bad)} of {frames} {verb} bad, the first is {min(self.bad, default=0)}"
         if not self.bad:
-            said = f"{self.frames} frames and {self.steps} steps, all free: proven"
+            said = f"{frames} and {_counted(self.steps, 'step')}, all free: proven"
         return said + (f"; not looked at: {', '.join(self.left_out)}" if self.left_out else "")
 
 
 class Check:
     """One run over the frames; `run` yields after each, and may be left at any time: `findings` has what was done."""
 
-    def __init__(self, scene: Any, selected: list[Any], frames: range, separation: float, rings: int) -> None:
-        objects, left_out = readable(selected)
+    def __init__(self, context: Any, frames: range, separation: float, rings: int) -> None:
+        objects, left_out = readable(list(context.selected_objects))
         if not objects:
             raise Trouble("no mesh is selected: select the cloth, and what it must not pass through")
         if len(frames) == 0:
             raise Trouble("the last frame comes before the first: give them in their order")
-        self._scene, self._objects, self._frames = scene, objects, frames
+        self.selection, self.frames = Selection(context.scene, context.view_layer, objects), frames
         self._separation, self._rings = separation, rings
         self._tamis = tamis()
         self._topology: Topology | None = None
+        self._corners = np.empty(0)
         self._auditor: Any = None
         self._triangles: dict[int, set[int]] = {}
         self.findings = Findings(left_out=left_out)
 
-    def run(self, view_layer: Any) -> Iterator[int]:
+    def run(self) -> Iterator[int]:
         """Ask about one frame after the other."""
-        for frame in self._frames:
-            self._scene.frame_set(frame)
-            view_layer.update()
-            self._ask(frame, view_layer.depsgraph)
+        for frame in self.frames:
+            self._ask(frame, *self.selection.at(frame))
             yield frame
+        if not self.findings.frames:
+            raise Trouble("what is selected has no faces and no edges in any frame: select meshes that have some")
 
-    def _ask(self, frame: int, depsgraph: Any) -> None:
-        positions, corners = frame_of(self._objects, depsgraph)
-        if self._topology is None or not np.array_equal(corners, self._corners):
-            self._begin(frame, depsgraph, corners)
-        step = self._auditor.add(positions, name=str(frame))
+    def _ask(self, frame: int, objects: list[Any], depsgraph: Any) -> None:
+        hidden = [name for name in self.selection.names if name not in {thing.name_full for thing in objects}]
+        left_out = [f"{name} where it is hidden" for name in hidden] + besides_meshes(objects, depsgraph)
+        self.findings.left_out += [name for name in left_out if name not in self.findings.left_out]
+        positions, corners = frame_of(objects, depsgraph)
+        if not self._is_of(objects, corners):
+            self._begin(frame, topology_of(objects, depsgraph), corners)
+        if self._auditor is None:
+            return
         self.findings.frames += 1
+        step = self._auditor.add(positions, name=str(frame))
         self.findings.steps += step.frame.has_step
         pairs = step.pairs
         near = (pairs.rings >= 0) & (pairs.rings <= self._rings)
@@ -91,20 +104,24 @@ class Check:
         if step.problem or len(pairs):
             self.findings.bad[frame] = self._bad_frame(frame, step.problem, pairs, positions)
 
-    def _begin(self, frame: int, depsgraph: Any, corners: np.ndarray) -> None:
+    def _is_of(self, objects: list[Any], corners: np.ndarray) -> bool:
+        """Tell whether these are the faces and edges that are asked about."""
+        names = [thing.name_full for thing in objects]
+        return self._topology is not None and names == self._topology.names and np.array_equal(corners, self._corners)
+
+    def _begin(self, frame: int, topology: Topology, corners: np.ndarray) -> None:
         if self._topology is not None:
             self.findings.notes.append(f"frame {frame}: the meshes have other faces from here on; no step leads there")
-        self._topology = topology = topology_of(self._objects, depsgraph)
-        self._corners = corners
-        instances = [f"instances of {name}" for name in instancers(self._objects, depsgraph)]
-        self.findings.left_out += [name for name in instances if name not in self.findings.left_out]
+        self._topology, self._corners, self._auditor = topology, corners, None
+        if topology.is_empty:
+            return
         mesh = self._tamis.Mesh(topology.triangles, sum(topology.vertex_counts), topology.loose_edges)
         self._auditor = self._tamis.Auditor(
             mesh, objects=topology.vertices_of(), min_separation=self._separation, ring_limit=max(10, self._rings)
         )
         self._triangles = {}
-        for number, corners in enumerate(topology.triangles.tolist()):
-            for vertex in corners:
+        for number, triangle in enumerate(topology.triangles.tolist()):
+            for vertex in triangle:
                 self._triangles.setdefault(vertex, set()).add(number)
 
     def _bad_frame(self, frame: int, problem: str, pairs: Any, positions: np.ndarray) -> BadFrame:
@@ -126,4 +143,4 @@ class Check:
         topology = self._topology
         owner = np.searchsorted(topology.first_vertices, topology.triangles[triangles, 0], side="right") - 1
         faces = topology.face_of_triangle[triangles]
-        return {topology.names[i]: np.unique(faces[owner == i]) for i in np.unique(owner).tolist()}
+        return {name: np.unique(faces[owner == i]) for i, name in enumerate(topology.names)}

@@ -21,7 +21,7 @@ class TamisCheckCache(bpy.types.Operator):
 
     bl_idname = "tamis.check_cache"
     bl_label = "Check this cache"
-    bl_options = {"REGISTER"}
+    bl_options = {"REGISTER", "UNDO"}
 
     _check: Check
     _frames: Iterator[int]
@@ -31,7 +31,7 @@ class TamisCheckCache(bpy.types.Operator):
         """From a script: all frames at once."""
         if not self._begin(context):
             return {"CANCELLED"}
-        return self._guarded(context, lambda: all(True for _ in self._frames))
+        return self._guarded(lambda: all(True for _ in self._frames))
 
     def invoke(self, context: Any, event: Any) -> set[str]:
         """From the panel: some frames at a time, until Esc."""
@@ -46,54 +46,59 @@ class TamisCheckCache(bpy.types.Operator):
         """Go on, unless Esc says otherwise; what was found until then stays."""
         if event.type not in {"ESC", "TIMER"}:
             return {"PASS_THROUGH"}
-        done = self._guarded(context, lambda: event.type == "ESC" or self._some_frames(context))
-        if done != {"RUNNING_MODAL"}:
-            context.window_manager.event_timer_remove(self._timer)
-            context.window_manager.progress_end()
+        done = {"CANCELLED"}
+        try:
+            done = self._guarded(lambda: event.type == "ESC" or self._some_frames(context))
+        finally:
+            if done != {"RUNNING_MODAL"}:
+                context.window_manager.event_timer_remove(self._timer)
+                context.window_manager.progress_end()
         return done
 
     def _begin(self, context: Any) -> bool:
         scene, settings = context.scene, context.scene.tamis_check
         frames = range(scene.frame_start, scene.frame_end + 1)
-        self._before = scene.frame_current
+        self._before = scene.frame_current, scene.frame_subframe
         try:
-            self._check = Check(scene, list(context.selected_objects), frames, settings.min_separation, settings.rings)
+            self._check = Check(context, frames, settings.min_separation, settings.rings)
         except Trouble as trouble:
             self.report({"ERROR"}, str(trouble))
             return False
-        self._frames = self._check.run(context.view_layer)
+        self._frames = self._check.run()
         return True
 
     def _some_frames(self, context: Any) -> bool:
         """Return whether that was the last one."""
         until = time.monotonic() + _SECONDS_A_TURN
+        frames = self._check.frames
         for frame in self._frames:
-            scene = context.scene
-            part = (frame - scene.frame_start + 1) / (scene.frame_end - scene.frame_start + 1)
-            context.window_manager.progress_update(100 * part)
+            context.window_manager.progress_update(100 * (frame + 1 - frames.start) / len(frames))
             if time.monotonic() > until:
                 return False
         return True
 
-    def _guarded(self, context: Any, go_on: Any) -> set[str]:
+    def _guarded(self, go_on: Any) -> set[str]:
         """Publish once there is no more to do; Tamis' own sentences arrive as they are."""
         try:
             if not go_on():
                 return {"RUNNING_MODAL"}
         except (Trouble, ValueError) as trouble:
             self.report({"ERROR"}, str(trouble))
-            self._publish(context)
+            self._publish()
             return {"CANCELLED"}
-        self._publish(context)
+        self._publish()
         findings = self._check.findings
         for note in findings.notes:
             self.report({"WARNING"}, note)
         self.report({"WARNING" if findings.bad or findings.left_out else "INFO"}, str(findings))
         return {"FINISHED"}
 
-    def _publish(self, context: Any) -> None:
-        results.publish(context.scene, self._check.findings)
-        context.scene.frame_set(self._before)
+    def _publish(self) -> None:
+        """In the scene that was checked, which need not be the one that the user sees by now."""
+        scene = self._check.selection.scene()
+        if scene is not None:
+            results.publish(scene, self._check.findings)
+            scene.frame_set(self._before[0], subframe=self._before[1])
 
 
 class TamisShowFrame(bpy.types.Operator):
@@ -118,7 +123,7 @@ class TamisClear(bpy.types.Operator):
 
     bl_idname = "tamis.clear"
     bl_label = "Clear"
-    bl_options = {"REGISTER"}
+    bl_options = {"REGISTER", "UNDO"}
 
     def execute(self, context: Any) -> set[str]:
         """Forget what was found."""

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What objects look like in one frame, all modifiers and caches applied: one mesh of all of them, in world coordinates."""
+"""What objects look like in one frame, modifiers and caches applied: one mesh of all of them, in world coordinates."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Any
 
+import bpy
 import numpy as np
 
 from .library import Trouble
-
 
 # What Blender makes meshes of; and what has none and may be in the way of the cloth all the same.
 _WITH_MESH = {"MESH", "CURVE", "SURFACE", "FONT"}
@@ -20,17 +20,65 @@ def readable(selected: list[Any]) -> tuple[list[Any], list[str]]:
     """Objects that have a mesh, or are made one; and the names of those that show something else."""
     shows = [thing for thing in selected if thing.type not in _WITH_MESH | _WITHOUT_SHAPE]
     other = [thing.name for thing in shows if thing.type != "EMPTY" or thing.instance_type == "COLLECTION"]
+    other += [f"hair of {thing.name}" for thing in selected if any(map(_is_hair, thing.particle_systems))]
     return [thing for thing in selected if thing.type in _WITH_MESH], other
 
 
-def instancers(objects: list[Any], depsgraph: Any) -> list[str]:
-    """Names of objects that show others, or parts, in many places: these instances are in none of their meshes."""
-    found = set()
+def _is_hair(system: Any) -> bool:
+    return system.settings.type == "HAIR" and system.settings.render_type == "PATH"
+
+
+def besides_meshes(objects: list[Any], depsgraph: Any) -> list[str]:
+    """What objects show in this frame that is in none of their meshes: instances, or curves, points and volumes."""
+    names = {thing.name_full for thing in objects}
+    found = {}
     for shown in depsgraph.object_instances:
-        # The mesh of a curve is an instance of the curve.
-        if shown.is_instance and shown.parent and shown.instance_object.original != shown.parent.original:
-            found.add(shown.parent.original.name)
-    return [thing.name for thing in objects if thing.name in found]
+        if not shown.is_instance or not shown.parent or _is_mesh_of_curve(shown):
+            continue
+        kind = "instances" if shown.object.type in _WITH_MESH - {"CURVE"} else shown.object.type.lower()
+        if shown.parent.original.name_full in names:
+            found[f"{kind} of {shown.parent.original.name}"] = True
+    return list(found)
+
+
+def _is_mesh_of_curve(shown: Any) -> bool:
+    """Blender lists the mesh that it makes of a curve as an instance of the curve, not within another one."""
+    not_within = 0x7FFFFFFF
+    return shown.parent.type != "MESH" and shown.object.type == "MESH" and shown.persistent_id[1] == not_within
+
+
+class Selection:
+    """What is checked, by name: once the user has undone something, Python's references to it lead nowhere."""
+
+    def __init__(self, scene: Any, view_layer: Any, objects: list[Any]) -> None:
+        self._scene, self._view_layer = scene.name_full, view_layer.name
+        self.names = [thing.name_full for thing in objects]
+
+    def scene(self) -> Any:
+        """Return it, or None once it is gone."""
+        return next((scene for scene in bpy.data.scenes if scene.name_full == self._scene), None)
+
+    def at(self, frame: int) -> tuple[list[Any], Any]:
+        """Go to a frame; return the objects that are shown there, and what evaluates them.
+
+        Raises
+        ------
+        Trouble
+            One of them is gone.
+        """
+        scene = self.scene()
+        if scene is None or self._view_layer not in scene.view_layers:
+            raise Trouble("the scene was removed or renamed while it was checked: check it again")
+        scene.frame_set(frame)
+        view_layer = scene.view_layers[self._view_layer]
+        view_layer.update()
+        there = {thing.name_full: thing for thing in scene.objects}
+        gone = [name for name in self.names if name not in there]
+        if gone:
+            raise Trouble(f"{gone[0]} was removed or renamed while it was checked: select what is there, check again")
+        objects = [there[name] for name in self.names]
+        # Blender leaves an object where it was when it was hidden.
+        return [thing for thing in objects if thing.visible_get(view_layer=view_layer)], view_layer.depsgraph
 
 
 @dataclass(frozen=True)
@@ -48,6 +96,11 @@ class Topology:
         """Where each object begins, and where the last one ends."""
         return np.concatenate([[0], np.cumsum(self.vertex_counts)])
 
+    @property
+    def is_empty(self) -> bool:
+        """Tell whether there are neither faces nor edges."""
+        return len(self.triangles) + len(self.loose_edges) == 0
+
     def vertices_of(self) -> dict[str, Any]:
         """The range of each object's vertices, by its name."""
         first = self.first_vertices
@@ -57,8 +110,11 @@ class Topology:
 def frame_of(objects: list[Any], depsgraph: Any) -> tuple[np.ndarray, np.ndarray]:
     """World positions of all vertices, (n, 3); and how faces and edges are made of them: the same while topology is."""
     parts = [_with_mesh(thing, depsgraph, lambda *of: (_points(*of), _corners(*of))) for thing in objects]
-    points, corners = zip(*parts)
-    return np.vstack(points), np.concatenate(corners)
+    points, corners = [[part[i] for part in parts] for i in (0, 1)]
+    return np.vstack([np.empty((0, 3)), *points]), np.concatenate([np.empty(0, np.int32), *corners])
+
+
+_NO_ROWS = np.empty((0, 3), np.int32)  # where no object is shown
 
 
 def topology_of(objects: list[Any], depsgraph: Any) -> Topology:
@@ -66,14 +122,12 @@ def topology_of(objects: list[Any], depsgraph: Any) -> Topology:
     parts = [_with_mesh(thing, depsgraph, _part) for thing in objects]
     counts = [part["vertices"] for part in parts]
     first = np.concatenate([[0], np.cumsum(counts)])
-    if not sum(len(part["triangles"]) + len(part["loose_edges"]) for part in parts):
-        raise Trouble("what is selected has no faces and no edges in this frame: select meshes that have some")
     return Topology(
-        names=[thing.name for thing in objects],
+        names=[thing.name_full for thing in objects],
         vertex_counts=counts,
-        triangles=np.vstack([part["triangles"] + n for part, n in zip(parts, first)]),
-        face_of_triangle=np.concatenate([part["face_of_triangle"] for part in parts]),
-        loose_edges=np.vstack([part["loose_edges"] + n for part, n in zip(parts, first)]),
+        triangles=np.vstack([_NO_ROWS[:, :3], *(part["triangles"] + n for part, n in zip(parts, first))]),
+        face_of_triangle=np.concatenate([_NO_ROWS[:, 0], *(part["face_of_triangle"] for part in parts)]),
+        loose_edges=np.vstack([_NO_ROWS[:, :2], *(part["loose_edges"] + n for part, n in zip(parts, first))]),
     )
 
 

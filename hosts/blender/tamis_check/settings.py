@@ -38,6 +38,7 @@ class TamisSettings(bpy.types.PropertyGroup):
         min=0,
         max=1000,
     )
+    key: bpy.props.StringProperty()  # of what was found
     summary: bpy.props.StringProperty()
     bad: bpy.props.CollectionProperty(type=TamisBadFrame)
     active: bpy.props.IntProperty(update=_show, default=-1)

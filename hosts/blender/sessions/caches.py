@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests of the add-on run inside Blender: ``blender -b --python session.py -- ZIP ANSWER``, or with bpy.
+"""What the tests of the add-on run inside Blender: ``blender -b --python caches.py -- ZIP ANSWER``, or with bpy.
 
 Writes what it saw as JSON.
 """
@@ -10,46 +10,10 @@ import sys
 
 import bpy
 
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from making import chosen_faces, facts, fresh, linked, mesh, said, select, sheet_that_falls_through_the_ground, wire  # noqa: E402
+
 zip_file, answer = sys.argv[sys.argv.index("--") + 1 :][:2]
-
-
-def mesh(name, corners, faces):
-    data = bpy.data.meshes.new(name)
-    data.from_pydata(corners, [], faces)
-    thing = bpy.data.objects.new(name, data)
-    bpy.context.collection.objects.link(thing)
-    return thing
-
-
-def scene_of_a_sheet_that_falls_through_the_ground():
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    ground = mesh("ground", [(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], [(0, 1, 2, 3)])
-    side = range(4)
-    corners = [(0.25 * x - 0.4, 0.25 * y - 0.4, 0) for y in side for x in side]
-    faces = [(4 * y + x, 4 * y + x + 1, 4 * y + x + 5, 4 * y + x + 4) for y in range(3) for x in range(3)]
-    sheet = mesh("sheet", corners, faces)
-    sheet.rotation_euler = (0.3, 0.2, 0)
-    for frame, height in ((1, 1), (11, -1)):
-        sheet.location = (0, 0, height)
-        sheet.keyframe_insert("location", frame=frame)
-    bpy.context.scene.frame_start, bpy.context.scene.frame_end = 1, 12
-    return ground, sheet
-
-
-def linked(name, data):
-    thing = bpy.data.objects.new(name, data)
-    bpy.context.collection.objects.link(thing)
-    return thing
-
-
-def wire():
-    """A curve with a thickness, in the sheet's way."""
-    data = bpy.data.curves.new("wire", "CURVE")
-    data.dimensions, data.bevel_depth = "3D", 0.2
-    ends = data.splines.new("POLY").points
-    ends.add(1)
-    ends[0].co, ends[1].co = (-2, 0, 0, 1), (2, 0, 0, 1)
-    return linked("wire", data)
 
 
 def unread():
@@ -64,19 +28,6 @@ def unread():
     return whole, many, linked("lamp", bpy.data.lights.new("lamp", "POINT")), linked("plain", None)
 
 
-def select(*things):
-    for thing in bpy.context.scene.objects:
-        thing.select_set(thing in things)
-
-
-def said(operator, **options):
-    """Its answer, or its sentence."""
-    try:
-        return sorted(operator(**options))
-    except RuntimeError as error:
-        return str(error)
-
-
 def imported_as_alembic(things):
     """The same things, as Blender reads them from the Alembic file that it writes of them."""
     file, before = str(pathlib.Path(answer).with_suffix(".abc")), set(bpy.context.scene.objects)
@@ -86,20 +37,9 @@ def imported_as_alembic(things):
     return [thing for thing in set(bpy.context.scene.objects) - before if thing.type == "MESH"]
 
 
-def facts(scene):
-    rows = [(row.frame, row.text) for row in scene.tamis_check.bad]
-    markers = sorted((marker.frame, marker.name) for marker in scene.timeline_markers)
-    return {"summary": scene.tamis_check.summary, "rows": rows, "markers": markers, "frame": scene.frame_current}
-
-
-def chosen_faces(thing):
-    return [face.index for face in thing.data.polygons if face.select]
-
-
 def main():
-    ground, sheet = scene_of_a_sheet_that_falls_through_the_ground()
-    bpy.ops.preferences.addon_install(filepath=zip_file)
-    bpy.ops.preferences.addon_enable(module="tamis_check")
+    fresh(zip_file)
+    ground, sheet = sheet_that_falls_through_the_ground()
     from tamis_check import drawing, results
 
     scene, seen = bpy.context.scene, {"version": bpy.app.version_string}

@@ -54,6 +54,22 @@ TEST(Borders, AVertexOnBothRanksIsOneVertex) {
   expect_same_for_all_cuts(scene);
 }
 
+// Bug: the gap of two boxes grows by more than the largest double; they were taken for apart but at the start, and
+// the contact was lost.
+TEST(Borders, WhatPartsByMoreThanAnyDouble) {
+  constexpr double kUnit = 1e308;
+  Scene scene;
+  const auto add = [&](const Point& p, const Point& way, Index group) {
+    const auto scaled = [](const Point& x) { return Point{kUnit * x[0], kUnit * x[1], kUnit * x[2]}; };
+    scene.add_vertex(scaled(p), scaled({p[0] + way[0], p[1] + way[1], p[2] + way[2]}), group);
+  };
+  for (const Point& p : {Point{-0.4, -0.4, 0}, Point{0.8, -0.4, 0}, Point{0.2, 0.8, 0}}) add(p, {-1.3, 0, 0}, 0);
+  for (const Point& p : {Point{-0.4, 0.8, 0.1}, Point{0.8, 0.8, 0.1}, Point{0.2, -0.4, 0.1}}) add(p, {0.9, 0, -0.7}, 1);
+  scene.faces = {{0, 1, 2}, {3, 4, 5}};
+  ASSERT_FALSE(Detector(scene.mesh()).is_free(scene.step()));
+  expect_same_for_all_cuts(scene);
+}
+
 TEST(Borders, ContactsGoToTheRankThatGivesTheirFirstVertex) {
   const Scene scene = scenes::scene_by_name("soup", 300, 4);
   const Part part = part_of(scene, cuts()[2]);  // vertex v on rank v mod size

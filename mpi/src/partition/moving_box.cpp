@@ -46,12 +46,13 @@ struct Times {
   double first, last;
 
   /// Leaves out the times at which the line from `at0` to `at1` is positive. The line's zero is off by less than 2^-40
-  /// in time, as both ends are rounded once. NaN leaves out nothing.
+  /// in time, as both ends are rounded once. NaN leaves out nothing. Where the difference overflows, the quotients are
+  /// 0, which leave out nothing either.
   void leave_out_positive(double at0, double at1) {
     constexpr double kRoom = 0x1p-40;
     if (at0 > 0 && at1 > 0) last = -1;
     if (at0 > 0 && at1 <= 0) first = std::max(first, at0 / (at0 - at1) - kRoom);
-    if (at0 <= 0 && at1 > 0) last = std::min(last, at0 / (at0 - at1) + kRoom);
+    if (at0 <= 0 && at1 > 0) last = std::min(last, 1 - at1 / (at1 - at0) + kRoom);
   }
 };
 

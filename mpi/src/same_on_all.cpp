@@ -55,7 +55,7 @@ std::vector<std::string> sayings_of(const Options& options) {
 
 std::string exact(double number) {
   std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number + 0.0).ptr;
   return {text.data(), end};
 }
 

@@ -49,7 +49,7 @@ void Searches::begin(const std::string& question, const Step& step, const QueryO
   const double separation = options.min_separation.value_or(options_.min_separation);
   asked_.min_separation = separation;
   require_same(communicator_, {question, "minimum separation " + exact(separation),
-                               "at_start " + std::to_string(static_cast<int>(options.at_start))});
+                               "at_start " + std::string(name_of(options.at_start))});
   if (!(std::isfinite(separation) && separation >= 0))
     throw InvalidOptions("the minimum separation is " + exact(separation) + ": give a finite distance >= 0");
   if (options.at_start != AtStart::report && options.at_start != AtStart::ignore)

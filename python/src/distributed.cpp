@@ -22,6 +22,16 @@ struct Part {
   distributed::LocalMesh mesh;
 };
 
+/// Of an exception; what UTF-8 has no place for is escaped.
+std::string text_of(const nb::python_error& error) {
+  try {
+    const auto text = nb::cast<nb::bytes>(nb::str(error.value()).attr("encode")("utf-8", "backslashreplace"));
+    return {text.c_str(), text.size()};
+  } catch (const nb::python_error&) {
+    return "its text raises an exception, too";
+  }
+}
+
 /// What the filter raises becomes an error of all ranks, in one sentence: Python's exceptions do not travel.
 Options with_sentences(Options options) {
   if (!options.filter.accepts) return options;
@@ -30,8 +40,7 @@ Options with_sentences(Options options) {
       return accepts(kind, vertices);
     } catch (const nb::python_error& error) {
       const nb::gil_scoped_acquire lock;
-      throw Error("the filter raised " + nb::cast<std::string>(error.type().attr("__name__")) + ": " +
-                  nb::str(error.value()).c_str());
+      throw Error("the filter raised " + nb::cast<std::string>(error.type().attr("__name__")) + ": " + text_of(error));
     }
   };
   return options;

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Groups, Indices, flags, indices, vector
+from tamis._arrays import Groups, Indices, flags, indices, indices_or_none, vector
 from tamis._checks import LARGEST_INDEX, function, number, number_or_none, whole, word
 from tamis._errors import InvalidOptions
 from tamis._kinds import PairKind
@@ -17,6 +17,14 @@ from tamis._kinds import PairKind
 Isa = Literal["best", "baseline", "avx2", "avx512"]
 AtStart = Literal["report", "ignore", "fail"]
 Filter = Callable[[PairKind, "tuple[int, int, int, int]"], bool]
+
+
+def group_count_of(groups: npt.ArrayLike | None) -> int:
+    """Return how many groups these vertices need; 0 without any."""
+    most = int(indices_or_none(groups, 0, "groups", InvalidOptions).max(initial=-1))
+    if most == LARGEST_INDEX:
+        raise InvalidOptions(f"groups holds {most}: give groups below {most}")
+    return 1 + most
 
 
 def set_groups(
@@ -34,10 +42,7 @@ def set_groups(
     if groups is None:
         raise InvalidOptions("may_touch is given without groups: give the group of each vertex")
     group_of_vertex: Indices = indices(groups, 0, "groups", InvalidOptions)
-    most = int(group_of_vertex.max()) if group_of_vertex.size else 0
-    if most == LARGEST_INDEX:
-        raise InvalidOptions(f"groups holds {most}: give groups below {most}")
-    count = max(group_count, len(radii), 1 + most)
+    count = max(group_count, len(radii), group_count_of(group_of_vertex))
     allowed: Groups = np.empty((0, 0), np.uint8)
     if may_touch is not None:
         allowed = flags(may_touch, "may_touch", InvalidOptions)

@@ -15,13 +15,12 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
 import numpy.typing as npt
 from mpi4py import MPI
 
 from tamis._arrays import indices, indices_or_none
-from tamis._errors import InvalidMesh, InvalidOptions
-from tamis._options import Filter, Isa, make_options
+from tamis._errors import InvalidMesh
+from tamis._options import Filter, Isa, group_count_of, make_options
 from tamis._ranks._questions import Questions
 from tamis._ranks._statistics import Balance, Statistics
 from tamis._ranks._together import Ranks
@@ -119,7 +118,7 @@ class Detector(Questions):
             )
         )
         # No rank need have a vertex of each group.
-        group_count = self._ranks.comm.allreduce(self._ranks.together(lambda: _group_count(groups)), op=MPI.MAX)
+        group_count = self._ranks.comm.allreduce(self._ranks.together(lambda: group_count_of(groups)), op=MPI.MAX)
         options = self._ranks.together(
             lambda: make_options(
                 threads=threads,
@@ -134,7 +133,7 @@ class Detector(Questions):
             )
         )
         self._detector = _distributed.Detector(self._ranks.comm.py2f(), part, options)
-        self._description = f"min_separation={min_separation:g}"
+        self._description = f"min_separation={float(min_separation):g}"
 
     @property
     def vertex_count(self) -> int:
@@ -156,7 +155,3 @@ class Detector(Questions):
 
     def __reduce__(self) -> Any:
         raise TypeError("a Detector cannot be pickled: every rank makes its own, all together")
-
-
-def _group_count(groups: npt.ArrayLike | None) -> int:
-    return 1 + int(np.max(indices_or_none(groups, 0, "groups", InvalidOptions), initial=-1))

@@ -63,4 +63,5 @@ def _report_of(failure: Exception) -> tuple[str, str]:
     """Return the name of the class to raise, one of `tamis`, and the sentence."""
     if isinstance(failure, Error):
         return type(failure).__name__, str(failure)
-    return Error.__name__, f"{type(failure).__name__}: {failure}"
+    said, raised_again = _outcome_of(lambda: str(failure))
+    return Error.__name__, f"{type(failure).__name__}: {'its text raises an exception, too' if raised_again else said}"

@@ -170,6 +170,7 @@ WRONG: list[tuple[type[Exception], str, Ask]] = [
     (_OPTIONS, "no instruction set is called", lambda d, p: p.detector(isa=or_bad("best", "other"))),
     (_OPTIONS, "threads is -1", lambda d, p: distributed.Detector(COMM, p.faces, p.vertices, threads=or_bad(1, -1))),
     (_OPTIONS, "of the dtype <U1", lambda d, p: p.detector(groups=or_bad(p.groups, ["a"]))),
+    (_OPTIONS, "groups holds 2147483647", lambda d, p: p.detector(groups=or_bad(p.groups, [2**31 - 1]))),
 ]
 
 
@@ -188,15 +189,57 @@ def test_a_rank_that_is_none(cloth: Part) -> None:
     assert "root is -1" in raised_on_all(tamis.InvalidOptions, lambda: many.gather_contacts(-1))
 
 
-def test_a_filter_that_raises_on_one_rank(cloth: Part) -> None:
+class Mute(Exception):
+    """Says nothing."""
+
+    def __str__(self) -> str:
+        raise ValueError
+
+
+@pytest.mark.parametrize(
+    ("reason", "text"),
+    [
+        (KeyError("not ready"), "KeyError: 'not ready'"),
+        (ValueError("\udc80"), "ValueError: \\udc80"),  # bug: the rank died
+        (Mute(), "Mute: its text raises an exception, too"),
+    ],
+)
+def test_a_filter_that_raises_on_one_rank(cloth: Part, reason: Exception, text: str) -> None:
     def accepts(kind: tamis.PairKind, vertices: tuple[int, int, int, int]) -> bool:
         if IS_LAST:
-            raise KeyError("not ready")
+            raise reason
         return True
 
     many = cloth.detector(filter=accepts)
     said = raised_on_all(tamis.Error, lambda: many.contacts(cloth.start, cloth.end))
-    assert said == f"rank {SIZE - 1}: the filter raised KeyError: 'not ready'"
+    assert said == f"rank {SIZE - 1}: the filter raised {text}"
+
+
+class Silent:
+    """An argument that cannot be read, for a reason that cannot be said."""
+
+    def __array__(self, *_: Any, **__: Any) -> Any:
+        raise Mute
+
+
+def test_what_cannot_be_said_is_raised_on_all(cloth: Part) -> None:
+    """Bug: the rank raised that alone, while the others waited for its reason."""
+    many = cloth.detector()
+    said = raised_on_all(tamis.Error, lambda: many.contacts(or_bad(cloth.start, Silent()), cloth.end))
+    assert said == f"rank {SIZE - 1}: Mute: its text raises an exception, too"
+
+
+class Half:
+    """A number of a type of its own."""
+
+    def __float__(self) -> float:
+        return 0.5
+
+
+def test_a_number_may_be_of_any_type(cloth: Part) -> None:
+    """Bug: the rank raised TypeError alone, once the detector was made."""
+    assert "min_separation=0.5" in repr(cloth.detector(min_separation=or_bad(0.5, Half())))
+    assert cloth.detector(min_separation=or_bad(0.0, -0.0)).vertex_count
 
 
 def waiting(kind: tamis.PairKind, vertices: tuple[int, int, int, int]) -> bool:

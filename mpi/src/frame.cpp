@@ -30,20 +30,18 @@ class RankVertices final : public SceneVertices {
     return of_all(mine_.boxes_near(place, distance));
   }
 
-  std::vector<SampledVertex> sample() const override {
+  void sample(std::span<SampledVertex> vertices) const override {
     Packer packer;
     for (const auto& [in_sample, place] : input_.sample) {
       const auto& [start, end] = input_.elements.motions[static_cast<std::size_t>(place)];
       packer.put(in_sample);
       packer.put(SampledVertex{start, end});
     }
-    std::vector<SampledVertex> vertices(sample_places(count()).size());
     for (const Bytes& bytes : communicator_.gather_for_all(packer.take()))
       for (Unpacker unpacker(bytes); !unpacker.empty();) {
         const auto in_sample = unpacker.get<std::size_t>();
         vertices[in_sample] = unpacker.get<SampledVertex>();
       }
-    return vertices;
   }
 
  private:

@@ -1,6 +1,7 @@
 #include "bounds/box_frame.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bounds/packed_motion.hpp"
@@ -36,7 +37,10 @@ Extent extent_of(const EndBoxes& boxes, std::size_t vertices) {
 Extent extent_of_finest(const SceneVertices& scene, double min_separation, const Extent& all) {
   constexpr double kNarrower = 64;  // six bits of the 17 that two kLaterMargins leave
   constexpr double kMost = 16;      // in an even cloud the farthest vertex is at two or three times the median
-  const std::optional<FinePlace> place = place_finer_than(all.half / kNarrower, scene.sample());
+  std::array<SampledVertex, kMostSampled> room;
+  const auto sample = std::span(room).first(sample_size(scene.count()));
+  scene.sample(sample);
+  const std::optional<FinePlace> place = place_finer_than(all.half / kNarrower, sample);
   if (!place) return all;
   Extent finest = extent_of(scene.boxes_near(*place, kMost * place->radius), scene.count());
   finest.half = std::max(finest.half, min_separation);

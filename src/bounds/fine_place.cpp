@@ -14,14 +14,14 @@ double largest_difference(const double* a, const double* b) {
   return std::max({std::fabs(a[0] - b[0]), std::fabs(a[1] - b[1]), std::fabs(a[2] - b[2])});
 }
 
-constexpr std::size_t kMostSampled = 128;
+constexpr std::size_t kMostPairs = kMostSampled / 2;
 
 /// A sample of the vertices, each with its distance to the next vertex by number.
 class SomeVertices {
  public:
   /// REQUIRES: a sample, and not an empty one.
   explicit SomeVertices(std::span<const SampledVertex> sample) : sample_(sample), count_(sample.size() / 2) {
-    TAMIS_ASSERT(count_ > 0 && count_ <= kMostSampled);
+    TAMIS_ASSERT(count_ > 0 && count_ <= kMostPairs);
     for (std::size_t i = 0; i < count_; ++i) {
       const SampledVertex &v = sample[2 * i], &next = sample[2 * i + 1];
       distances_[i] = std::max(largest_difference(v.start.data(), next.start.data()),
@@ -39,7 +39,7 @@ class SomeVertices {
   template <std::size_t count>
   std::array<SampledVertex, count> finest() const {
     const double fine = std::max(8 * shortest_, std::numeric_limits<double>::min());
-    std::array<double, kMostSampled> weights;
+    std::array<double, kMostPairs> weights;
     double sum = 0;
     for (std::size_t i = 0; i < count_; ++i)
       sum += weights[i] = distances_[i] < nothing_ ? 0 : fine / std::max(distances_[i], fine);
@@ -56,7 +56,7 @@ class SomeVertices {
   void find_shortest() {
     constexpr std::ptrdiff_t kSlivers = 2;
     constexpr double kNothing = 0x1p-24;
-    std::array<double, kMostSampled> sorted = distances_;
+    std::array<double, kMostPairs> sorted = distances_;
     const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(count_);
     std::sort(sorted.begin(), end);
     nothing_ = kNothing * sorted[count_ / 2];
@@ -66,7 +66,7 @@ class SomeVertices {
 
   std::span<const SampledVertex> sample_;
   std::size_t count_;
-  std::array<double, kMostSampled> distances_;
+  std::array<double, kMostPairs> distances_;
   double shortest_, nothing_;
 };
 
@@ -86,17 +86,15 @@ double FinePlace::distance_to(const double* at_start, const double* at_end) cons
 }
 
 /// So few that their cost is a hundredth of a question's.
-std::vector<std::size_t> sample_places(std::size_t count) {
+std::size_t sample_size(std::size_t count) {
   constexpr std::size_t kFewestVertices = 64;
-  std::vector<std::size_t> places;
-  if (count < kFewestVertices) return places;
-  const std::size_t sampled = std::clamp(count / 64, std::min<std::size_t>(count / 8, 32), kMostSampled);
-  for (std::size_t i = 0; i < sampled; ++i) {
-    const std::size_t place = (2 * i + 1) * count / (2 * sampled);
-    places.push_back(place);
-    places.push_back(place + 1);
-  }
-  return places;
+  return count < kFewestVertices ? 0 : 2 * std::clamp(count / 64, std::min<std::size_t>(count / 8, 32), kMostPairs);
+}
+
+std::size_t sample_place(std::size_t count, std::size_t i) {
+  const std::size_t size = sample_size(count);
+  TAMIS_ASSERT(i < size);
+  return (i - i % 2 + 1) * count / size + i % 2;
 }
 
 std::optional<FinePlace> place_finer_than(double width, std::span<const SampledVertex> sample) {

@@ -2,7 +2,6 @@
 #pragma once
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "tamis/contact.hpp"
 
@@ -22,9 +21,14 @@ struct SampledVertex {
   Point start, end;
 };
 
-/// Which of `count` vertices, by number, are the sample: vertices in even places of this list, each followed by the
-/// next vertex. None if there are too few vertices for speed to matter.
-std::vector<std::size_t> sample_places(std::size_t count);
+/// How many of `count` vertices are the sample: an even number, at most kMostSampled; 0 if there are too few vertices
+/// for speed to matter.
+std::size_t sample_size(std::size_t count);
+/// Which of `count` vertices, by number, is vertex i of the sample: after each with an even i comes the next vertex.
+/// REQUIRES: i < sample_size(count).
+std::size_t sample_place(std::size_t count, std::size_t i);
+
+inline constexpr std::size_t kMostSampled = 256;
 
 /// The place of those vertices that lie nearest to the next vertex by number, which most often is the other end of an
 /// edge. Nothing if they spread over more than `width`, or if there is no sample. A guess; it depends on the sample

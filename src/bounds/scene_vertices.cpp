@@ -36,13 +36,11 @@ EndBoxes StepVertices::boxes_near(const FinePlace& place, double distance) const
                   [&](const double* start, const double* end) { return place.distance_to(start, end) <= distance; });
 }
 
-std::vector<SampledVertex> StepVertices::sample() const {
-  std::vector<SampledVertex> vertices;
-  for (const std::size_t place : sample_places(used_.size())) {
-    const Index v = used_[place];
-    vertices.push_back({point_at(step_.start[v]), point_at(step_.end[v])});
+void StepVertices::sample(std::span<SampledVertex> vertices) const {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Index v = used_[sample_place(used_.size(), i)];
+    vertices[i] = {point_at(step_.start[v]), point_at(step_.end[v])};
   }
-  return vertices;
 }
 
 }  // namespace tamis

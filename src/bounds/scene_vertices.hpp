@@ -1,7 +1,6 @@
 // The vertices of a step, as their frame asks about them: in one process, or on many ranks that each have some.
 #pragma once
 #include <span>
-#include <vector>
 
 #include "bounds/box.hpp"
 #include "bounds/fine_place.hpp"
@@ -22,8 +21,8 @@ class SceneVertices {
   virtual EndBoxes boxes() const = 0;
   /// Of the vertices within a distance of a place.
   virtual EndBoxes boxes_near(const FinePlace& place, double distance) const = 0;
-  /// The vertices at sample_places(count()), by number.
-  virtual std::vector<SampledVertex> sample() const = 0;
+  /// Writes the sample. REQUIRES: sample_size(count()) vertices.
+  virtual void sample(std::span<SampledVertex> vertices) const = 0;
 };
 
 /// Those of a step that are `used`, by number. Refers to the positions and to `used`.
@@ -34,7 +33,7 @@ class StepVertices final : public SceneVertices {
   std::size_t count() const override { return used_.size(); }
   EndBoxes boxes() const override;
   EndBoxes boxes_near(const FinePlace& place, double distance) const override;
-  std::vector<SampledVertex> sample() const override;
+  void sample(std::span<SampledVertex> vertices) const override;
 
  private:
   Step step_;

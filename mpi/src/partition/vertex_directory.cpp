@@ -115,9 +115,9 @@ UsedVertices VertexDirectory::used_vertices() const {
     all.count += Unpacker(bytes).get<std::size_t>();
   }
   Packer mine;
-  const std::vector<std::size_t> places = sample_places(all.count);
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (places[i] >= before && places[i] - before < used_.size()) mine.put(SampledNumber{i, used_[places[i] - before]});
+  for (std::size_t i = 0; i < sample_size(all.count); ++i)
+    if (const std::size_t place = sample_place(all.count, i); place >= before && place - before < used_.size())
+      mine.put(SampledNumber{i, used_[place - before]});
   for (const Bytes& bytes : communicator_.gather_for_all(mine.take()))
     std::ranges::copy(all_of<SampledNumber>(bytes), std::back_inserter(all.sample));
   return all;

@@ -4,6 +4,7 @@
 
 #include "python/src/options.hpp"
 #include "python/src/signals.hpp"
+#include "python/src/truth.hpp"
 #include "tamis/busy_guard.hpp"
 
 namespace tamis::python {
@@ -58,16 +59,11 @@ class Asker {
   }
 
  private:
-  /// Only what is True or False, NumPy's too: a filter without `return` gives None, and would leave out every pair.
   bool accepts(PairKind kind, const std::array<Index, 4>& v) const {
     const nb::tuple pair = nb::make_tuple(v[0], v[1], v[2], v[3]);
-    const nb::object answer = accepts_(static_cast<int>(kind), pair);
-    bool is_accepted = false;
-    if (nb::try_cast(answer, is_accepted)) return is_accepted;
-    const std::string type = nb::cast<std::string>(answer.type().attr("__name__"));
-    if (type == "bool_" || type == "bool") return nb::cast<bool>(nb::bool_(answer));
-    throw InvalidOptions("filter gave what is of the type " + type + " for the pair " +
-                         nb::cast<std::string>(nb::repr(pair)) + ": return True or False");
+    return truth_of(accepts_(static_cast<int>(kind), pair), [&] {
+      return "filter, asked about the pair " + nb::cast<std::string>(nb::repr(pair)) + ",";
+    });
   }
 
   nb::object accepts_;

@@ -1,5 +1,7 @@
 #include "python/src/signals.hpp"
 
+#include "python/src/truth.hpp"
+
 namespace tamis::python {
 
 namespace nb = nanobind;
@@ -26,8 +28,8 @@ bool Signals::interpreter_says_stop() {
   const nb::gil_scoped_acquire lock;
   try {
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
-    return !is_cancelled_.is_none() && nb::cast<bool>(nb::bool_(is_cancelled_()));
-  } catch (const nb::python_error&) {
+    return !is_cancelled_.is_none() && truth_of(is_cancelled_(), [] { return "is_cancelled"; });
+  } catch (...) {
     raised_ = std::current_exception();
     return true;
   }

@@ -18,8 +18,8 @@ class Signals {
 
   const nanobind::object& is_cancelled() const { return is_cancelled_; }
   void clear() { is_cancelled_ = nanobind::none(); }
-  /// Works without the interpreter's lock, for the calling thread's question. Cancelled becomes what Python raised, if
-  /// that is why the question ended.
+  /// Works without the interpreter's lock, for the calling thread's question. If the question ended because of an
+  /// exception of Python's or of a wrong answer of `is_cancelled`, that is thrown in place of Cancelled.
   template <class Work>
   void during(const Work& work) {
     begin();

@@ -10,6 +10,7 @@ import sys
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
 import numpy as np
 import pytest
@@ -85,6 +86,18 @@ def test_a_raising_is_cancelled_arrives() -> None:
     detector = tamis.Detector(soup.mesh, min_separation=0.15, is_cancelled=is_cancelled)
     with pytest.raises(RuntimeError, match="no more"):
         for _ in range(100):
+            detector.contacts(soup.start, soup.end)
+
+
+@pytest.mark.parametrize("answer", [None, "no", 0, 1, np.array([False])])
+def test_an_is_cancelled_that_answers_neither_true_nor_false(answer: object) -> None:
+    """Would catch that a truthy answer cancels, and that a function without `return` never does."""
+    soup = tamis.scene("soup", 3000)
+    given: Any = answer
+    detector = tamis.Detector(soup.mesh, min_separation=0.15, is_cancelled=lambda: given)
+    sentence = "is_cancelled returned an object of the type .*: return True or False"
+    with pytest.raises(tamis.InvalidOptions, match=sentence):
+        for _ in range(100):  # each takes longer than the pause between two looks
             detector.contacts(soup.start, soup.end)
 
 

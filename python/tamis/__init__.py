@@ -4,9 +4,9 @@
 >>> detector = tamis.Detector(tamis.Mesh(faces, vertex_count=len(start)))
 >>> contacts = detector.contacts(start, end)
 
-`Detector` has the questions; `contacts` asks one in one line; `narrow_phase` decides a list of pairs; a `Path` is
-curved motion, such as `RigidPath`; a `World` has bodies that move each in its own way; `read_mesh`, `read_frames` and
-`scene` give something to try it on.
+`Detector` answers questions about a mesh, step after step; `contacts` answers one in a single line; `narrow_phase`
+decides a list of pairs. A `Path`, such as `RigidPath`, is motion on curves. A `World` holds bodies, each with a motion
+of its own. `read_mesh`, `read_frames` and `scene` return meshes to try it on.
 """
 
 from tamis import _core

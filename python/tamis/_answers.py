@@ -1,4 +1,4 @@
-"""What is said of a whole step."""
+"""Answers about a whole step: its first contact, and how far it may go."""
 
 from __future__ import annotations
 
@@ -13,16 +13,17 @@ if TYPE_CHECKING:
 
 
 class EarliestContact(NamedTuple):
-    """How far the step may go.
+    """The first contact of a step: how far the step may go.
 
     Attributes
     ----------
     toi_lower : float
-        The motion is free on [0, toi_lower): proven. 1 if the whole step is free.
+        Fraction of the step: the motion is free on [0, toi_lower), proven. 1 if the whole step is free.
     toi_upper : float
-        A certified contact happens at or before this fraction of the step; 1 if none is certified, as may be on a path.
+        A certified contact happens at or before this fraction of the step. 1 if the step is free, or if no contact is
+        certified, as may be on a path.
     contact : Contact or None
-        The contact that bounds the step first; None if the step is free.
+        The contact that ends the step; None if the step is free.
     """
 
     toi_lower: float
@@ -31,7 +32,7 @@ class EarliestContact(NamedTuple):
 
 
 def earliest_of(found: _core._Earliest) -> EarliestContact:
-    """Give what the compiled part has found its names."""
+    """Return the compiled part's answer as a named tuple."""
     lower, upper, rows = found
     contacts = Contacts(rows)
     return EarliestContact(lower, upper, contacts[0] if len(contacts) else None)
@@ -43,10 +44,11 @@ class SafeStep(NamedTuple):
     Attributes
     ----------
     lower : float
-        On [0, lower] every pair keeps at least the fraction, and on [0, lower) none touches: proven. 1 if the whole
-        step may go.
+        Fraction of the step: on [0, lower] every pair keeps at least its fraction of the distance, and on [0, lower)
+        no pair touches, proven. 1 if the whole step may go.
     upper : float
-        At this time some pair has no more than the fraction left: proven; 1 if that is not known of any time.
+        Fraction of the step: at this time some pair has no more than its fraction of the distance left, proven. 1 if
+        that is not known of any time.
     pair : NearPair or None
         The pair that ends the step, as it is at the start; None if the whole step may go.
     """
@@ -57,26 +59,27 @@ class SafeStep(NamedTuple):
 
 
 def safe_step_of(found: _core._SafeStep) -> SafeStep:
-    """Give what the compiled part has found its names."""
+    """Return the compiled part's answer as a named tuple."""
     lower, upper, rows = found
     pairs = NearPairs(rows)
     return SafeStep(lower, upper, pairs[0] if len(pairs) else None)
 
 
 class TruncatedStep(NamedTuple):
-    """Where a step may end, each vertex on its own line towards its end.
+    """Where each vertex may go, on its own line from the start of the step towards its end.
 
     Attributes
     ----------
-    positions : array, shape (n, 3)
-        Where to go. On the straight way there from the start of the step, to these very doubles, every pair keeps the
-        fraction of its distance: proven. A pair that starts within the minimum separation keeps all of its distance but
-        a millionth, or none of its vertices moves.
-    fractions : array, shape (n,)
-        How much of its way each vertex goes, in [0, 1]; 1 for vertices that take no part in contacts. What
-        ``start + fraction * (end - start)`` is rounded to need not be `positions`.
+    positions : array of float64, shape (n, 3)
+        The positions to go to. On the straight way from the start of the step to these very doubles, every pair keeps
+        the fraction of its distance, proven. A pair that starts within the minimum separation keeps all of its distance
+        but a millionth, or none of its vertices moves.
+    fractions : array of float64, shape (n,)
+        The fraction of its way that each vertex goes, in [0, 1]; 1 for vertices that take no part in contacts.
+        ``start + fraction * (end - start)``, rounded, may differ from `positions`.
     is_free : bool
-        The whole way is free of contacts. False: some pair touches, or is within the minimum separation, at the start.
+        Whether the way to `positions` is free of contacts. False if some pair touches, or is within the minimum
+        separation, at the start and is not ignored.
     """
 
     positions: Doubles

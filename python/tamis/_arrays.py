@@ -1,4 +1,4 @@
-"""What users give, as the arrays that the compiled part takes: a view where that is possible, else one copy."""
+"""Arguments of users as arrays that the compiled part takes: views where possible, else one copy."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ _WHOLE = "integers below 2^31"
 
 
 def _array(given: npt.ArrayLike, name: str, error: type[Error], kinds: str, wanted: str) -> npt.NDArray[Any]:
-    """Make an array of one of these kinds of numbers; anything else is refused with a sentence."""
+    """Return an array whose `dtype.kind` is one of `kinds`; `name` and `wanted` go into the sentence of the error."""
     if isinstance(given, np.ma.MaskedArray):
         raise error(f"{name} is a masked array, whose mask would be lost: give its .filled(...) or .data")
     try:
         array = np.asarray(given)
-    except (TypeError, ValueError, OverflowError):  # rows of several lengths, say
+    except (TypeError, ValueError, OverflowError):  # for example rows of different lengths
         raise error(f"{name} is {shown(given)}, which is no array: give {wanted}, as many in each row") from None
     if array.dtype.kind not in kinds:
         raise error(f"{name} is {shown(given)}, of the dtype {array.dtype}: give {wanted}")
@@ -35,17 +35,17 @@ def _array(given: npt.ArrayLike, name: str, error: type[Error], kinds: str, want
 
 
 def numbers(given: npt.ArrayLike, name: str, error: type[Error]) -> npt.NDArray[Any]:
-    """Make an array of numbers, in any shape."""
+    """Return an array of real numbers, of any shape."""
     return _array(given, name, error, "iuf", _REAL)
 
 
 def shape_text(array: npt.NDArray[Any]) -> str:
-    """Return the shape as a sentence shows it."""
+    """Return the shape as error messages show it."""
     return f"({', '.join(str(n) for n in array.shape)})"
 
 
 def _is_view(array: npt.NDArray[Any]) -> bool:
-    """Whether the library can walk the rows as they lie in memory."""
+    """Whether the library can read the rows in place."""
     return (
         array.dtype == _DOUBLE
         and array.dtype.isnative
@@ -56,12 +56,12 @@ def _is_view(array: npt.NDArray[Any]) -> bool:
 
 
 def doubles(array: npt.NDArray[Any]) -> Doubles:
-    """Return numbers as doubles, one behind the other: themselves if they lie so already, else a copy."""
+    """Return contiguous doubles: the array itself if it is that already, else a copy."""
     return np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
 
 
 def rows(given: npt.ArrayLike, name: str, error: type[Error] = InvalidStep) -> Doubles:
-    """Return n rows of three doubles, without a copy if they lie so already, also with a stride between rows."""
+    """Return n rows of three doubles, shape (n, 3). Copies only rows that cannot be read in place, at any stride."""
     array = numbers(given, name, error)
     if array.ndim != 2 or array.shape[1] != 3:
         raise error(f"{name} has the shape {shape_text(array)}: give one row of three numbers a vertex, (n, 3)")
@@ -69,19 +69,19 @@ def rows(given: npt.ArrayLike, name: str, error: type[Error] = InvalidStep) -> D
 
 
 def packed_rows(given: npt.ArrayLike, name: str, error: type[Error] = InvalidStep) -> Doubles:
-    """Return the same without a gap between rows."""
+    """Return n rows of three doubles, contiguous; copies them if they are not."""
     return doubles(rows(given, name, error))
 
 
 def finite(array: Doubles, name: str, error: type[Error]) -> Doubles:
-    """Return numbers that the compiled part does not look at; what is not finite is refused."""
+    """Return the array; raise if a number in it is not finite, for arrays that the compiled part does not check."""
     if not np.isfinite(array).all():
         raise error(f"{name} holds a number that is not finite: give finite ones")
     return array
 
 
 def point_frames(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
-    """Return contiguous doubles, so many frames of points: (f, n, 3)."""
+    """Return frames of points as contiguous doubles, shape (f, n, 3)."""
     array = numbers(given, name, error)
     if array.ndim != 3 or array.shape[2] != 3:
         raise error(f"{name} has the shape {shape_text(array)}: give three numbers a vertex and frame, (f, n, 3)")
@@ -89,7 +89,7 @@ def point_frames(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles
 
 
 def vector(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
-    """Return contiguous doubles in one dimension."""
+    """Return contiguous doubles, shape (n,)."""
     array = numbers(given, name, error)
     if array.ndim != 1:
         raise error(f"{name} has the shape {shape_text(array)}: give one dimension")
@@ -97,14 +97,17 @@ def vector(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
 
 
 def indices_or_none(given: npt.ArrayLike | None, columns: int, name: str, error: type[Error]) -> Indices:
-    """Return indices that may be left out, as `indices` does."""
+    """Return indices as `indices` does; none for None."""
     return indices([] if given is None else given, columns, name, error)
 
 
 def indices(
     given: npt.ArrayLike, columns: int, name: str, error: type[Error], *, one_may_come_alone: bool = False
 ) -> Indices:
-    """Return contiguous 32-bit indices, `columns` a row (0: in one dimension); [] are none."""
+    """Return contiguous 32-bit indices, shape (n, columns), or (n,) if `columns` is 0. [] has the shape of no rows.
+
+    With `one_may_come_alone`, one row without the first dimension is taken for n = 1.
+    """
     shape = (0, columns) if columns else (0,)
     array = _array(given, name, error, "iuf", _WHOLE)
     if array.size == 0:
@@ -126,7 +129,7 @@ def indices(
 
 
 def flags(given: npt.ArrayLike, name: str, error: type[Error]) -> Groups:
-    """Return a contiguous square matrix of truth values, one byte each."""
+    """Return a square matrix of truth values, shape (g, g), contiguous, one byte each."""
     array = _array(given, name, error, "bui", "True or False")
     if array.ndim != 2 or array.shape[0] != array.shape[1]:
         raise error(f"{name} has the shape {shape_text(array)}: give a square matrix, one row and one column a group")
@@ -134,7 +137,7 @@ def flags(given: npt.ArrayLike, name: str, error: type[Error]) -> Groups:
 
 
 def pair_list(kind: npt.ArrayLike, vertices: npt.ArrayLike, error: type[Error]) -> tuple[Groups, Indices]:
-    """Return kinds (n,) and vertices (n, 4) of pairs of features; one kind may serve for all, one pair come alone."""
+    """Return kinds, shape (n,), and vertices, shape (n, 4), of pairs; one kind may serve for all, one pair be (4,)."""
     given = indices(vertices, 4, "vertices", error, one_may_come_alone=True)
     kinds = np.atleast_1d(_array(kind, "kind", error, "iuf", "a PairKind"))
     if kinds.dtype != np.uint8 or kinds.ndim != 1:

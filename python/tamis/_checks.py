@@ -1,4 +1,4 @@
-"""What users give, as single values: numbers, words, functions, names of files. What is none is refused by its name."""
+"""Checks of single arguments of users: numbers, words, functions, names of files. Each error names the argument."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ LARGEST_INDEX = 2**31 - 1
 
 
 def shown(given: object) -> str:
-    """Return what was given as a sentence can hold it: short, and in one line."""
+    """Return an object as error messages show it: short, and in one line."""
     text = " ".join(reprlib.repr(given).split())
     return f"of the type {type(given).__name__}" if text.startswith("<") or len(text) > 80 else text
 
 
 def number(given: Any, name: str, error: type[Error] = InvalidOptions) -> float:
-    """Return a floating-point number; what is no single number is refused."""
+    """Return one real number as a float; raise for anything else, also for text and truth values."""
     is_single = not isinstance(given, (str, bytes, bytearray, bool, np.bool_)) and getattr(given, "ndim", 0) == 0
     try:
         if is_single and (hasattr(given, "__float__") or hasattr(given, "__index__")) and not np.iscomplexobj(given):
@@ -35,7 +35,7 @@ def number(given: Any, name: str, error: type[Error] = InvalidOptions) -> float:
 
 
 def number_from_zero(given: Any, name: str) -> float:
-    """Return a finite number that is not negative, where the library itself does not look at it."""
+    """Return a finite number >= 0, for arguments that the library itself does not check."""
     value = number(given, name)
     if not 0 <= value < float("inf"):
         raise InvalidOptions(f"{name} is {value}: give a finite number >= 0")
@@ -43,12 +43,12 @@ def number_from_zero(given: Any, name: str) -> float:
 
 
 def number_or_none(given: Any, name: str) -> float | None:
-    """Return a number that may be left out."""
+    """Return one number, or None for None."""
     return None if given is None else number(given, name)
 
 
 def whole(given: Any, name: str, least: int = 0, error: type[Error] = InvalidOptions, advice: str = "") -> int:
-    """Return a whole number, from `least` on, that 32 bits hold."""
+    """Return a whole number in [least, 2^31); `advice` ends the sentence of the error."""
     try:
         value = None if isinstance(given, (bool, np.bool_)) else operator.index(given)
     except TypeError:
@@ -59,7 +59,7 @@ def whole(given: Any, name: str, least: int = 0, error: type[Error] = InvalidOpt
 
 
 def word(given: Any, name: str) -> str:
-    """Return a text; which texts there are is for others to say."""
+    """Return a text: not empty, no zero byte, no lone surrogate. The library checks whether it knows the word."""
     try:
         if isinstance(given, str) and "\0" not in given and given.encode():
             return given
@@ -69,28 +69,28 @@ def word(given: Any, name: str) -> str:
 
 
 def truth(given: Any, name: str) -> bool:
-    """Return a truth value, and nothing that merely counts as one."""
+    """Return True or False, NumPy's too; raise for anything else, such as 1 or None."""
     if not isinstance(given, (bool, np.bool_)):
         raise InvalidOptions(f"{name} is {shown(given)}: give True or False")
     return bool(given)
 
 
 def function(given: Any, name: str, call: str, error: type[Error] = InvalidOptions) -> Callable[..., Any]:
-    """Return what can be called; `call` shows how it will be."""
+    """Return a callable; `call` shows in the error how it will be called."""
     if not callable(given):
         raise error(f"{name} is {shown(given)}, which cannot be called: give a function, {call}")
     return given  # type: ignore[no-any-return]
 
 
 def instance(given: Any, kind: type[_Kind], name: str, advice: str, error: type[Error] = InvalidOptions) -> _Kind:
-    """Return an object of a class of Tamis's."""
+    """Return an object of the class `kind`; `advice` says in the error what to give."""
     if not isinstance(given, kind):
         raise error(f"{name} is {shown(given)}: give {advice}")
     return given
 
 
 def file_name(given: Any, name: str) -> str:
-    """Return the name of a file, as the system may have one."""
+    """Return the name of a file as text: not empty, no zero byte, encodable by the system."""
     try:
         result = os.fsdecode(given)
         if "\0" not in result and os.fsencode(result):

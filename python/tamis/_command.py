@@ -1,4 +1,4 @@
-"""The command `tamis`, as the wheel brings it."""
+"""The command `tamis` of the wheel: the entry point that Python installs."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import sys
 
 
 def main() -> None:
-    """Go on as the command; the arguments are those of this process."""
+    """Replace this process by the command, with the same arguments."""
     command = pathlib.Path(__file__).resolve().parent / "command/bin/tamis"
     if not command.exists():
         sys.exit(

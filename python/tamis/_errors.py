@@ -1,4 +1,4 @@
-"""What Tamis raises. Every message says what is wrong, where, and what to do."""
+"""The exceptions of Tamis. Every message says what is wrong, where, and what to do."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class InvalidStep(Error, ValueError):
 
 
 class InvalidPath(Error, ValueError):
-    """A curved motion that breaks its promises, or lacks a vertex that it is asked about."""
+    """A path that does not fit the mesh, breaks what it promises, or lacks a vertex that it is asked about."""
 
 
 class InvalidOptions(Error, ValueError):
@@ -24,11 +24,11 @@ class InvalidOptions(Error, ValueError):
 
 
 class Cancelled(Error):
-    """A question that `is_cancelled` ended. The detector may be asked again."""
+    """`is_cancelled` returned True and so ended the question. The detector may be asked again."""
 
 
 class Busy(Error):
-    """A question to a detector or world that is answering one: of another thread, or the one that calls its filter."""
+    """A question to a detector or world that is answering another one, of another thread or the one that calls this."""
 
 
 class FileError(Error, OSError):

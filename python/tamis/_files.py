@@ -1,4 +1,4 @@
-"""Mesh files and frames, as the command reads and writes them."""
+"""Mesh files and sequences of frames, in the formats of the command."""
 
 from __future__ import annotations
 
@@ -17,7 +17,17 @@ from tamis._mesh import Mesh
 
 
 class MeshFile(NamedTuple):
-    """One frame: positions (n, 3), the mesh, and what a reader should know (polygons cut, elements skipped)."""
+    """The content of a mesh file: one frame.
+
+    Attributes
+    ----------
+    positions : array of float64, shape (n, 3)
+        One row a vertex.
+    mesh : Mesh
+        The topology.
+    notes : tuple of str
+        What a reader should know: polygons that were cut, elements that were skipped.
+    """
 
     positions: Doubles
     mesh: Mesh
@@ -30,17 +40,17 @@ def read_mesh(path: str | os.PathLike[str]) -> MeshFile:
     Parameters
     ----------
     path : path_like
-        Told apart by content, then by extension.
+        The format is recognized by content, then by extension.
 
     Returns
     -------
     MeshFile
-        Doubles as they stand in the file.
+        Its positions are the numbers of the file, as doubles.
 
     Raises
     ------
     FileError
-        The file cannot be used; the message says where and why.
+        The file cannot be used; the message says where in it, and why.
     """
     positions, faces, edges, points, notes = _core.read_mesh(file_name(path, "path"))
     return MeshFile(positions, Mesh(faces, len(positions), edges, points), tuple(notes))
@@ -53,16 +63,16 @@ def write_mesh(
     edges: npt.ArrayLike | None = None,
     points: npt.ArrayLike | None = None,
 ) -> None:
-    """Write a binary PLY file in doubles: complete or not at all.
+    """Write a binary PLY file in doubles. If that fails, no file is left, and an existing one stays as it was.
 
     Parameters
     ----------
     path : path_like
-        Of the file, ending in ``.ply``; an existing one is replaced.
+        The file's name, which ends in ``.ply``. An existing file is replaced.
     positions : array_like, shape (n, 3)
         One row a vertex.
     faces : array_like of int, shape (f, 3)
-        Triangles.
+        Vertex indices of each triangle.
     edges : array_like of int, shape (e, 2), optional
         Loose edges: rods.
     points : array_like of int, shape (p,), optional
@@ -71,7 +81,7 @@ def write_mesh(
     Raises
     ------
     FileError
-        The file cannot be written, or has another ending.
+        The file cannot be written, or its name has another ending.
     InvalidMesh
         An index that is no row of the positions, a coordinate that is not finite, or an array of another shape or type.
     """
@@ -92,17 +102,18 @@ def read_frames(*names: str | os.PathLike[str]) -> Iterator[MeshFile]:
     Parameters
     ----------
     *names : path_like
-        Files, folders and glob patterns, all together in natural order: f2 before f10.
+        Files, folders and glob patterns. All their files are sorted together in natural order: f2 before f10.
 
     Yields
     ------
     MeshFile
-        One frame. All share the `Mesh` of the first.
+        One frame. All frames share the `Mesh` of the first.
 
     Raises
     ------
     FileError
-        A name stands for no file, a file cannot be used, or a frame has another topology than the first.
+        A name stands for no file: raised at once. A file cannot be used, or a frame has another topology than the
+        first: raised when that frame is read.
     """
     paths = _core.frame_files([file_name(name, f"names[{i}]") for i, name in enumerate(names)])
     return _frames(paths)

@@ -1,4 +1,4 @@
-"""The page that shows contacts."""
+"""Pages that show contacts, and how they are opened."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Asked:
-    """The question whose answer some contacts are: what a file to look at needs beside them."""
+    """The question that some contacts answer: files to look at show its mesh and motion, too."""
 
     mesh: _core.Mesh
     options: _core.Options
@@ -32,12 +32,18 @@ class Asked:
     own: _core.QueryOptions
 
     def write(self, path: str, contacts: npt.NDArray[np.uint8]) -> None:
-        """Write the contacts, all that were found or some, in the format that the extension names."""
+        """Write a file to look at with these contacts, all of the answer or some; the extension names the format."""
         _core.Detector(self.mesh, self.options).write(path, contacts, self.own, *self.motion.native())
 
 
 class Page:
-    """A page that shows contacts: one file that works without a server. A notebook shows it where it is the result."""
+    """A page that shows contacts: one HTML file that works without a server. Notebooks show it below the cell.
+
+    Attributes
+    ----------
+    path : pathlib.Path
+        The file.
+    """
 
     __slots__ = ("path",)
 
@@ -56,7 +62,7 @@ class Page:
 
 
 def place_for_page(path: str | os.PathLike[str] | None) -> pathlib.Path:
-    """Return where a page goes: by default into a new folder among the temporary files."""
+    """Return the absolute path of a page; by default in a new folder among the temporary files."""
     if path is None:
         return pathlib.Path(tempfile.mkdtemp(prefix="tamis-")) / "contacts.html"
     place = pathlib.Path(file_name(path, "path")).resolve()
@@ -66,7 +72,7 @@ def place_for_page(path: str | os.PathLike[str] | None) -> pathlib.Path:
 
 
 def show(path: pathlib.Path) -> Page:
-    """Open the page in the browser, unless a notebook will show it."""
+    """Open a page in the browser, unless this runs in a notebook, which shows the page that is returned."""
     shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
     if not hasattr(shell, "kernel"):
         webbrowser.open(path.as_uri())

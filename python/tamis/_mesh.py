@@ -13,15 +13,15 @@ from tamis._errors import InvalidMesh
 class Mesh:
     """Triangles, plus optional loose edges (rods) and loose points: made once, shared by every step.
 
-    Any winding, open, non-manifold, duplicate and degenerate triangles are legal; so are vertices that nothing uses,
-    which take no part in contacts.
+    Legal: any winding; open and non-manifold meshes; duplicate and degenerate triangles; vertices that nothing uses
+    (they take no part in contacts).
 
     Parameters
     ----------
     faces : array_like of int, shape (f, 3)
         Vertex indices of each triangle; may be empty.
     vertex_count : int, optional
-        Rows of the positions of every step. By default as many as the largest index needs.
+        The number of rows of the positions of every step, >= 0. By default the largest index + 1.
     edges : array_like of int, shape (e, 2), optional
         Loose edges: rods.
     points : array_like of int, shape (p,), optional
@@ -31,6 +31,12 @@ class Mesh:
     ------
     InvalidMesh
         An index outside [0, vertex_count), no feature at all, or an array of another shape or type.
+
+    Examples
+    --------
+    >>> Mesh([[0, 1, 2], [2, 1, 3]])
+    Mesh(4 vertices, 2 triangles, 5 edges)
+    >>> rod_and_point = Mesh([], vertex_count=3, edges=[[0, 1]], points=[2])
     """
 
     __slots__ = ("_edges", "_faces", "_mesh", "_points")
@@ -60,7 +66,7 @@ class Mesh:
 
     @property
     def vertex_count(self) -> int:
-        """Rows of the positions of every step."""
+        """The number of rows of the positions of every step."""
         return self._mesh.vertex_count
 
     @property
@@ -70,9 +76,10 @@ class Mesh:
 
     @property
     def edges(self) -> Indices:
-        """Every edge of a triangle and every loose one, once, shape (e, 2): vertices ascending, sorted.
+        """Every edge of a triangle and every loose edge, once, shape (e, 2): vertices ascending, rows sorted.
 
-        Another library lists the same edges in another order, so that its rows are not these: `find_edges`.
+        An edge from a vertex to itself is left out. Another library may list the same edges in another order:
+        `find_edges` finds their rows here.
         """
         return self._mesh.edges()
 
@@ -83,7 +90,7 @@ class Mesh:
 
     @property
     def loose_edges(self) -> Indices:
-        """The loose edges as given, shape (e, 2), which are no rows of `edges`; read-only."""
+        """The loose edges as given, shape (e, 2); read-only. Their rows are not those of `edges`."""
         return self._edges
 
     @property
@@ -92,43 +99,44 @@ class Mesh:
         return self._points
 
     def features_of(self, kind: npt.ArrayLike, vertices: npt.ArrayLike) -> Indices:
-        """Find the features of pairs among those of this mesh, for data that is kept by feature.
+        """Find both features of each pair in this mesh, for callers who keep data by feature.
 
         Parameters
         ----------
         kind : array_like of PairKind, shape (n,)
-            As in `Contacts` or `NearPairs`; one may serve for all.
+            As in `Contacts` or `NearPairs`; one kind may serve for all pairs.
         vertices : array_like of int, shape (n, 4)
-            As in `Contacts` or `NearPairs`; one pair may come as (4,).
+            As in `Contacts` or `NearPairs`; one pair may have the shape (4,).
 
         Returns
         -------
-        array of int, shape (n, 2)
-            The two features of each pair: the row of `faces` or of `edges`, or the index of a vertex. Another library's
-            list of edges has other rows: `find_edges` leads from one to the other.
+        array of int32, shape (n, 2)
+            For each pair its first and its second feature: for a face its row in `faces`, for an edge its row in
+            `edges`, for a vertex its index. Another library's list of edges has other rows (see `find_edges`).
 
         Raises
         ------
         InvalidMesh
-            The mesh has no such vertex, no such edge, or no such face in this order of its vertices; a kind that is
-            none, or an array of another shape or type. The message names the pair.
+            The mesh has no such vertex, no such edge, or no such face with its vertices in this order; no such kind;
+            or an array of another shape or type. The message names the pair.
         """
         return _core.features_of(self._mesh, *pair_list(kind, vertices, InvalidMesh))
 
     def find_edges(self, edges: npt.ArrayLike) -> Indices:
-        """Find edges by their vertices: what leads from another library's list of edges to the rows of `edges`.
+        """Find the rows of edges in `edges`, for callers whose list of edges has another order.
+
+        If the mesh has all edges of the list ``theirs``, then with ``rows = mesh.find_edges(theirs)`` the data of this
+        mesh's edges in their order is ``data[rows]``, and ``data[rows] = their_data`` takes over theirs.
 
         Parameters
         ----------
         edges : array_like of int, shape (n, 2)
-            In any order, each in either direction.
+            Edges in any order, each with its vertices in either order.
 
         Returns
         -------
-        array of int, shape (n,)
-            The row of `edges` that each is; -1 where the mesh has none. Data that has a row for each of `edges` goes
-            to another list's order as ``data[mesh.find_edges(theirs)]``, and comes from it as
-            ``data[mesh.find_edges(theirs)] = their_data``.
+        array of int32, shape (n,)
+            The row of each edge in `Mesh.edges`; -1 where the mesh has no such edge.
 
         Raises
         ------
@@ -138,17 +146,17 @@ class Mesh:
         return _core.find_edges(self._mesh, indices(edges, 2, "edges", InvalidMesh))
 
     def find_faces(self, faces: npt.ArrayLike) -> Indices:
-        """Find faces by their vertices.
+        """Find the rows of faces in `faces`.
 
         Parameters
         ----------
         faces : array_like of int, shape (n, 3)
-            Each in the mesh's order of its vertices.
+            Faces in any order, each with its vertices in the mesh's order.
 
         Returns
         -------
-        array of int, shape (n,)
-            The row of `faces` that each is, the first of several; -1 where the mesh has none.
+        array of int32, shape (n,)
+            The row of each face in `Mesh.faces`, the first one of duplicates; -1 where the mesh has no such face.
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""What moves a mesh: both ends of a step, or a path."""
+"""The motion that a question is about: a step with its start and end, or a path."""
 
 from __future__ import annotations
 
@@ -18,38 +18,38 @@ from tamis._tables._points import Corners, corners_at_rest, used_vertices
 if TYPE_CHECKING:
     from tamis import _core
 
-    Native = tuple[Doubles, Doubles] | tuple[_core.Path]  # what the compiled part takes
+    Native = tuple[Doubles, Doubles] | tuple[_core.Path]  # the arguments of the compiled part
 
 
 @dataclass(frozen=True)
 class StraightMotion:
-    """Each vertex on a straight line."""
+    """A step: each vertex moves on a straight line."""
 
     start: Doubles
     end: Doubles
 
     def native(self) -> Native:
-        """Return what the compiled part takes."""
+        """Return the arguments of the compiled part."""
         return self.start, self.end
 
     def corners(self, times: Doubles, vertices: Indices) -> Corners:
-        """Return where the vertices of each pair are at a time of its own."""
+        """Return where the vertices of pair i are at ``times[i]``."""
         t = times[:, np.newaxis, np.newaxis]
         return (1 - t) * corners_at_rest(self.start, vertices, "start") + t * corners_at_rest(self.end, vertices, "end")
 
 
 @dataclass(frozen=True)
 class CurvedMotion:
-    """On a path."""
+    """A motion on a path."""
 
     path: Path
 
     def native(self) -> Native:
-        """Return what the compiled part takes."""
+        """Return the arguments of the compiled part."""
         return (self.path._native(),)
 
     def corners(self, times: Doubles, vertices: Indices) -> Corners:
-        """Return where the vertices of each pair are at a time of its own."""
+        """Return where the vertices of pair i are at ``times[i]``."""
         path = self.path._native()
         used = used_vertices(path.vertex_count, vertices, InvalidPath)
         return path.corners_at(np.ascontiguousarray(times), np.ascontiguousarray(used)).reshape(*used.shape, 3)
@@ -61,7 +61,7 @@ Motion = Union[StraightMotion, CurvedMotion]
 def step_asked(
     start: npt.ArrayLike, end: npt.ArrayLike, min_separation: float | None, at_start: AtStart
 ) -> tuple[_core.QueryOptions, Doubles, Doubles]:
-    """Return what the compiled part takes of a question about a step."""
+    """Check the arguments of a question about a step; return those of the compiled part."""
     own = query_options(min_separation, at_start)
     return own, rows(start, "start"), rows(end, "end")
 
@@ -69,13 +69,13 @@ def step_asked(
 def step_asked_to_keep(
     start: npt.ArrayLike, end: npt.ArrayLike, keep: float, min_separation: float | None, at_start: AtStart
 ) -> tuple[_core.QueryOptions, float, Doubles, Doubles]:
-    """The same of a step on which pairs keep a fraction of their distance."""
+    """Check the arguments of `safe_step` or `truncate`; return those of the compiled part."""
     own, first, last = step_asked(start, end, min_separation, at_start)
     return own, number(keep, "keep"), first, last
 
 
 def motion(start: npt.ArrayLike | Path, end: npt.ArrayLike | None, tolerance: float | None = None) -> Motion:
-    """Tell one from the other by what the user gave; a tolerance goes with a path alone."""
+    """Return the motion that the user gave: a `Path` as `start`, or both ends of a step, which has no tolerance."""
     if isinstance(start, Path):
         if end is not None:
             raise InvalidPath("the path says where everything goes: give no end beside it")

@@ -1,4 +1,4 @@
-"""Options of a detector, from Python's keywords to the library's."""
+"""The compiled part's options of a detector and of a question, made from Python's keywords."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def set_groups(
     radii: npt.ArrayLike | None,
     group_count: int = 1,
 ) -> None:
-    """Set which groups of vertices may touch which, and how thick they are; there are `group_count` or more."""
+    """Set the groups of vertices, which of them may touch, and their radii. There are at least `group_count` groups."""
     radii = np.empty(0) if radii is None else vector(radii, "radii", InvalidOptions)
     options.set_radii(radii.tolist())
     if groups is None and may_touch is None:
@@ -53,7 +53,7 @@ def set_groups(
 def query_options(
     min_separation: float | None, at_start: AtStart, tolerance: float | None = None
 ) -> _core.QueryOptions:
-    """Return what a question brings of its own."""
+    """Return the options of one question."""
     d, widest = number_or_none(min_separation, "min_separation"), number_or_none(tolerance, "tolerance")
     return _core.QueryOptions(d, word(at_start, "at_start"), widest)
 
@@ -71,7 +71,7 @@ def make_options(
     rings: int = 1,
     group_count: int = 1,
 ) -> _core.Options:
-    """Return what the keywords of a detector say; `group_count` as of `set_groups`."""
+    """Return the options of a detector or world; `group_count` as in `set_groups`."""
     options = _core.Options()
     options.set_isa(word(isa, "isa"))
     options.set_threads(whole(threads, "threads", advice=", 0 being all"))

@@ -1,4 +1,4 @@
-"""How far apart single pairs are, and how long one keeps a part of that."""
+"""The distances of pairs, and the time until which one pair keeps a fraction of its distance."""
 
 from __future__ import annotations
 
@@ -13,27 +13,34 @@ from tamis._tables._near import NearPairs
 
 
 def distance_of(kind: npt.ArrayLike, vertices: npt.ArrayLike, positions: npt.ArrayLike) -> NearPairs:
-    """Measure how far apart pairs of features are at rest, each by itself.
+    """Measure the distance of each of some pairs of features in one pose.
 
     Parameters
     ----------
     kind : array_like of PairKind, shape (n,)
-        As in `Contacts` or `NearPairs`; one may serve for all.
+        As in `Contacts` or `NearPairs`; one kind may serve for all pairs.
     vertices : array_like of int, shape (n, 4)
-        Rows of the positions, ordered as in `Contact`; what a kind does not use is not read. One pair may come as (4,).
+        Rows of the positions, ordered as in `Contact`. Entries that a kind does not use are not read. One pair may have
+        the shape (4,).
     positions : array_like, shape (m, 3)
         Where each vertex is, at the start of a step for example.
 
     Returns
     -------
     NearPairs
-        In the order of the input, with the proven error that `Detector.pairs_within` has.
+        In the order of the input; the distances have the proven error of `NearPair.distance`.
 
     Raises
     ------
     InvalidStep
-        A wrong shape or type, a kind that is none, an index that is no row, a coordinate that is not finite; the
-        message names the pair.
+        An array of another shape or type, no such kind, an index that is no row of the positions, or a coordinate that
+        is not finite. The message names the pair.
+
+    Examples
+    --------
+    >>> positions = [[0, 0, 1], [0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    >>> distance_of(PairKind.VERTEX_FACE, [0, 1, 2, 3], positions).distance
+    array([1.])
     """
     return NearPairs(_core.distances_of(*pair_list(kind, vertices, InvalidStep), rows(positions, "positions")))
 
@@ -48,32 +55,35 @@ def safe_step(
     min_separation: float = 0.0,
     latest: float = 1.0,
 ) -> SafeStep:
-    """Find how far one pair may go so that it keeps a fraction of its distance: `Detector.safe_step` of a pair.
+    """Find how far one pair may go so that it keeps a fraction of its distance: `Detector.safe_step` for one pair.
 
     Parameters
     ----------
     kind : PairKind
-        What the vertices are.
+        The kind of the pair.
     vertices : array_like of int, shape (4,)
         Rows of the positions, ordered as in `Contact`.
     start, end : array_like, shape (m, 3)
         Where each vertex is at the start and at the end of the step.
     keep : float
-        0 <= keep < 1, of what exceeds the minimum separation. 0: only contact counts.
+        The fraction to keep, 0 <= keep < 1, of the distance as far as it exceeds the minimum separation. 0: only
+        contact counts.
     min_separation : float
-        d >= 0: contact means Euclidean distance <= d.
+        d >= 0, in the unit of the positions: contact means Euclidean distance <= d.
     latest : float
-        The latest time of interest, in [0, 1]: the search ends there, and `lower` is then this time.
+        The latest time of interest, in [0, 1]. If the pair keeps its fraction until then, `lower` is this time.
 
     Returns
     -------
     SafeStep
-        On [0, lower] the pair keeps the fraction: proven.
+        On [0, lower] the pair keeps the fraction, proven.
 
     Raises
     ------
-    InvalidStep, InvalidOptions
-        As of `distance_of`, and an option outside its range.
+    InvalidStep
+        As in `distance_of`.
+    InvalidOptions
+        An option outside its range.
     """
     pair = pair_list(kind, vertices, InvalidStep)
     if len(pair[1]) != 1:

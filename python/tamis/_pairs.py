@@ -1,4 +1,4 @@
-"""Single pairs, as many as there are: for callers who have a broad phase of their own."""
+"""Lists of pairs, for callers who have a broad phase of their own."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ from tamis._tables._table import Column
 
 
 class PairResult(NamedTuple):
-    """What one pair does during the step. Times, weights and normal have a meaning only where it touches.
+    """Whether and when one pair touches during the step. If it does not, times, weights and normal have no meaning.
 
     Attributes
     ----------
     kind, vertices
-        What was asked about.
+        The pair, as it was given.
     touches : bool
         False: proven free.
     certified : bool
-        True: proven to touch. False: free, or, on a path alone, unresolved.
+        True: proven to touch. False: free or, only on a path, unresolved.
     toi_lower, toi_upper, u, v, normal
         As in `Contact`.
     """
@@ -45,13 +45,13 @@ class PairResult(NamedTuple):
 
 
 class Pairs(MovingPairs[PairResult]):
-    """What each pair does during the step, as arrays of length n.
+    """Whether and when each pair of a list touches during the step, as arrays of length n.
 
     Times, weights and normals have a meaning only where `touches` is True.
 
-    `len()` counts them; an integer index gives a `PairResult`, anything else that indexes an array gives `Pairs`.
-    The columns of `table` are touches, certainty (0: certified, 1: unresolved), toi_lower, toi_upper, u, v, normal;
-    `kind` and `vertices` are those that were given.
+    `len()` counts the pairs; an integer index gives a `PairResult`, any other index of an array gives `Pairs`. The
+    columns of `table` are touches, certainty (0: certified, 1: unresolved), toi_lower, toi_upper, u, v, normal; `kind`
+    and `vertices` are those that were given.
     """
 
     __slots__ = ("_kind", "_vertices")
@@ -71,7 +71,7 @@ class Pairs(MovingPairs[PairResult]):
 
     @property
     def kind(self) -> npt.NDArray[np.uint8]:  # type: ignore[override]
-        """`PairKind` of each, shape (n,)."""
+        """The `PairKind` of each pair, shape (n,)."""
         return self._kind
 
     @property
@@ -81,7 +81,7 @@ class Pairs(MovingPairs[PairResult]):
 
     @property
     def certified(self) -> npt.NDArray[np.bool_]:
-        """True: proven to touch. False: free, or, on a path alone, unresolved."""
+        """True: proven to touch. False: free or, only on a path, unresolved. Shape (n,)."""
         return super().certified & self.touches
 
     def _status(self) -> npt.NDArray[np.str_]:
@@ -139,39 +139,47 @@ def narrow_phase(
     latest: float | None = None,
     tolerance: float | None = None,
 ) -> Pairs:
-    """Decide a list of pairs, each by itself.
+    """Decide each pair of a list by itself.
 
     Parameters
     ----------
     kind : array_like of PairKind, shape (n,)
-        What the vertices are; one may serve for all.
+        The kind of each pair; one kind may serve for all pairs.
     vertices : array_like of int, shape (n, 4)
-        Rows of the positions, ordered as in `Contact`; what a kind does not use is not read. One pair may come as (4,).
+        Rows of the positions, ordered as in `Contact`. Entries that a kind does not use are not read. One pair may have
+        the shape (4,).
     start, end : array_like, shape (m, 3)
-        Where each vertex is at the start and at the end of the step; they need not be those of a mesh. Or a `Path`
-        alone: curved motion.
+        Where each vertex is at the start and at the end of the step; no mesh is needed. Or a `Path` alone, for motion
+        on curves.
     min_separation : float
-        d >= 0: contact means Euclidean distance <= d.
+        d >= 0, in the unit of the positions: contact means Euclidean distance <= d.
     latest : float, optional
-        Of a step: the latest time of interest, in [0, 1]; by default 1. A pair that is proven apart until then is free.
-        For all others it changes nothing.
+        Only for a step: the latest time of interest, in [0, 1]; by default 1. A pair that is proven apart until then
+        counts as free. The answers about other pairs do not depend on it.
     tolerance : float, optional
-        Of a path: widest bracket of a contact, in (0, 1], a fraction of the step; by default 1e-9.
+        Only for a path: the widest bracket of a contact, a fraction of the step in (0, 1]; by default 1e-9.
 
     Returns
     -------
     Pairs
-        In the order of the input. On a path, what cannot be decided is a contact that is not certified.
+        In the order of the input. A pair on a path that cannot be decided is a contact that is not certified.
 
     Raises
     ------
     InvalidStep
-        A wrong shape or type, a kind that is none, an index that is no row, a coordinate that is not finite; the
-        message names the pair.
+        An array of another shape or type, no such kind, an index that is no row of the positions, or a coordinate that
+        is not finite. The message names the pair.
     InvalidPath
-        The same of a path, or one that breaks its promises.
+        The same for a path, or a path that breaks its promises.
     InvalidOptions
-        An option outside its range, or one that is none of a step, or of a path.
+        An option outside its range; `latest` for a path, or `tolerance` for a step.
+
+    Examples
+    --------
+    >>> start = [[0, 0, 1], [0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    >>> end = [[0, 0, -1], [0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    >>> narrow_phase(PairKind.VERTEX_FACE, [0, 1, 2, 3], start, end)[0].toi_lower
+    0.5
     """
     moving = motion(start, end, tolerance)
     error: type[Error] = InvalidStep if isinstance(moving, StraightMotion) else InvalidPath

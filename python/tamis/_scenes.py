@@ -1,4 +1,4 @@
-"""Scenes that Tamis makes itself: for examples, tests and benchmarks."""
+"""Scenes that Tamis generates or simulates, for examples, tests and benchmarks."""
 
 from __future__ import annotations
 
@@ -14,7 +14,17 @@ from tamis._mesh import Mesh
 
 
 class Scene(NamedTuple):
-    """A moving mesh: positions at the start and the end of a step, (n, 3), and the object of each vertex, (n,)."""
+    """A mesh and one step of its motion.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        The topology.
+    start, end : array of float64, shape (n, 3)
+        Where each vertex is at the start and at the end of the step.
+    groups : array of int32, shape (n,)
+        The object that each vertex belongs to, >= 0; `Detector` takes them as `groups`.
+    """
 
     mesh: Mesh
     start: Doubles
@@ -23,16 +33,16 @@ class Scene(NamedTuple):
 
 
 def scene(name: str, triangles: int = 1000, seed: int = 1) -> Scene:
-    """Make one of the scenes that `tamis bench --scene` knows.
+    """Generate one of the scenes of `tamis bench --scene`.
 
     Parameters
     ----------
     name : str
         One of `scene_names()`.
     triangles : int
-        About so many.
+        The approximate number of triangles, >= 1.
     seed : int
-        The same seed makes the same scene on every machine.
+        >= 0. The same seed makes the same scene on every machine.
 
     Returns
     -------
@@ -42,7 +52,7 @@ def scene(name: str, triangles: int = 1000, seed: int = 1) -> Scene:
     Raises
     ------
     InvalidOptions
-        No scene has this name, or less than one triangle is asked for.
+        No scene has this name, or a number is out of range.
     """
     start, end, faces, edges, points, groups = _core.scene(
         word(name, "name"), whole(triangles, "triangles", 1), whole(seed, "seed")
@@ -53,27 +63,27 @@ def scene(name: str, triangles: int = 1000, seed: int = 1) -> Scene:
 def simulate(
     name: str, folder: str | os.PathLike[str], triangles: int | None = None, frames: int | None = None, seed: int = 1
 ) -> Iterator[MeshFile]:
-    """Simulate one of the scenes of `tamis scene` into a folder, and read its frames one after the other.
+    """Simulate one of the scenes of `tamis scene` into a folder; return its frames, which are read one after the other.
 
-    Every frame is free of intersections. Ctrl-C ends it after a frame; the same call goes on from there.
+    Every frame is free of intersections. Ctrl-C ends the simulation after a frame; the same call goes on from there.
 
     Parameters
     ----------
     name : str
         One of `simulated_scenes()`.
     folder : path_like
-        Where frame_0000.ply, frame_0001.ply, ... go; made if it is not there.
+        The folder for frame_0000.ply, frame_0001.ply, ...; created if it does not exist.
     triangles : int, optional
-        About so many, obstacles included, at least 500; by default the scene's full size, for which it takes hours.
+        The approximate number of triangles, obstacles included, >= 500; by default the full size, which takes hours.
     frames : int, optional
-        After the first; by default the whole scene.
+        The number of frames after the first, >= 0; by default the whole scene.
     seed : int
-        Of the small disorder at the start.
+        >= 0: the seed of the small disorder at the start.
 
     Yields
     ------
     MeshFile
-        One frame. All share one `Mesh`.
+        One frame. All frames share one `Mesh`.
 
     Raises
     ------
@@ -90,10 +100,10 @@ def simulate(
 
 
 def simulated_scenes() -> dict[str, str]:
-    """Return the name of every scene of the simulator, and what it shows."""
+    """Return the scenes of `simulate`: for each name, what the scene shows."""
     return _core.simulated_scenes()
 
 
 def scene_names() -> dict[str, str]:
-    """Return the name of every scene, and what it shows."""
+    """Return the scenes of `scene`: for each name, what the scene shows."""
     return _core.scene_names()

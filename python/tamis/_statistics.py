@@ -1,4 +1,4 @@
-"""What the last question to a detector cost."""
+"""The cost of a detector's last question."""
 
 from __future__ import annotations
 
@@ -8,30 +8,30 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Statistics:
-    """What the last question cost.
+    """The cost of the last question.
 
     Attributes
     ----------
     isa : str
         The instruction set that ran.
     threads : int
-        How many were used.
+        The number of threads that were used.
     stages : mapping of str to (int, int, int, int)
-        Pairs of each `PairKind` that entered each stage, in the pipeline's order. The first counts the pairs whose
-        boxes meet, and some more, which depend on earlier questions.
+        For each stage, in the pipeline's order, the number of pairs of each `PairKind` that entered it. The first stage
+        counts the pairs whose boxes meet, and some more, which depend on earlier questions.
     decided_by : mapping of str to int
-        Pairs decided by each arithmetic: lanes, scalar, exact; and unresolved, of paths alone.
+        The number of pairs that each arithmetic decided: lanes, scalar, exact; and unresolved, on paths only.
     seconds : mapping of str to float
-        Wall-clock time of bounds, build, traverse, filter, solve, and the total.
+        Wall-clock seconds of bounds, build, traverse, filter, solve, and the total.
     ignored : int
-        With ``at_start="ignore"``, of contacts, earliest and is_free: pairs that touch at the start, and not again once
-        they are apart; earliest and is_free count those that they looked at.
+        With ``at_start="ignore"``, the number of pairs that touch at the start and do not touch again once they are
+        apart. `contacts` counts all such pairs; `earliest` and `is_free` count those that they look at.
     nodes_visited : int
-        Of the hierarchy.
+        Nodes of the hierarchy's trees; 0 if pairs had been listed ahead.
     rebuilt : bool
-        The hierarchy was built, not refitted.
+        Whether the hierarchy was built, not refitted.
     memory_bytes : int
-        Held by the detector.
+        Memory that the detector holds.
     """
 
     isa: str

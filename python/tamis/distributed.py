@@ -1,12 +1,12 @@
-"""The questions of `tamis.Detector`, asked by all ranks of an MPI communicator about one mesh that is in parts.
+"""The questions of `tamis.Detector`, asked by the ranks of an MPI communicator, each of which has a part of the mesh.
 
 >>> from mpi4py import MPI
 >>> from tamis import distributed
 >>> detector = distributed.Detector(MPI.COMM_WORLD, faces, vertices)
 >>> contacts = detector.contacts(start, end)
 
-Needs mpi4py, and a build that knows MPI: ``pip install . -C cmake.define.TAMIS_PYTHON_MPI=ON`` in a clone. Scripts run
-as ``mpirun -n 4 python -m mpi4py script.py``, so that one that ends with an exception ends all.
+Needs mpi4py, and a build with MPI: ``pip install . -C cmake.define.TAMIS_PYTHON_MPI=ON`` in a clone. Run scripts as
+``mpirun -n 4 python -m mpi4py script.py``: then an exception that ends one rank ends all of them.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ __all__ = ["Balance", "Detector", "Statistics"]
 
 
 def _require_one_mpi() -> None:
-    """Handles of one library mean nothing to another."""
+    """Raise if mpi4py uses another MPI library than `_distributed`: neither knows the communicators of the other."""
     ours, theirs = (said.rstrip("\0 \n") for said in (_distributed.library_version(), MPI.Get_library_version()))
     if ours != theirs:
         raise ImportError(f"tamis was built for '{ours}', mpi4py uses '{theirs}': let both use the same MPI")
@@ -48,44 +48,44 @@ _require_one_mpi()
 class Detector(Questions):
     """A `tamis.Detector` over all ranks of a communicator, each of which has a part of the mesh.
 
-    Construction and every question are collective: all ranks call them, in the same order and with the same options,
-    but for `threads`, `isa`, `filter` and `is_cancelled`. Vertices have the numbers of the whole mesh everywhere, in
-    faces, filters and answers. The answers are bit for bit those of one `tamis.Detector` with the whole mesh, whatever
-    rank has what.
+    Construction and every question are collective: all ranks call them, in the same order and with the same options;
+    only `threads`, `isa`, `filter` and `is_cancelled` may differ. Vertices have the numbers of the whole mesh
+    everywhere: in faces, filters and answers. The answers are bit for bit those of one `tamis.Detector` with the whole
+    mesh, however the mesh is divided among the ranks.
 
-    What one rank raises is raised on all, as the same `tamis.Error` with a sentence that begins with the rank; the next
-    question may be asked. The exception is an interrupt: Ctrl-C, or what `is_cancelled` raises, stays itself on its
-    rank, the others raise `Cancelled`.
+    An error on one rank is raised on all ranks, as the same `tamis.Error`, with a sentence that begins with the rank;
+    the next question may be asked. There is one exception: Ctrl-C, or an exception of `is_cancelled`, is raised as it
+    is on its rank, and the other ranks raise `Cancelled`.
 
     Parameters
     ----------
     comm : mpi4py.MPI.Intracomm
-        Who asks. Duplicated, so that messages never meet; what a detector that is gone on all of its ranks had is
-        freed when these, or more, make another.
+        The communicator. It is duplicated, so that messages never mix with those of others. The duplicate is freed
+        after the detector is gone on all of its ranks, when these ranks make another detector.
     faces : array_like of int, shape (f, 3)
-        This rank's triangles, each on one rank; may be empty.
+        This rank's triangles, each given by one rank; may be empty.
     vertices : array_like of int, shape (n,)
-        The number of each row of positions that this rank gives. A vertex on a border may be given by several ranks,
-        always with the same position; one that features here use may be given elsewhere alone.
+        The number of the vertex of each row of this rank's positions. Several ranks may give a vertex on a border,
+        always with the same position. Features of this rank may use vertices that only other ranks give.
     edges : array_like of int, shape (e, 2), optional
         This rank's loose edges: rods.
     points : array_like of int, shape (p,), optional
         This rank's loose points.
     threads : int
-        Of this rank; 0: all cores. With a rank a core: 1.
+        The number of threads of this rank, >= 0; 0: all cores. Take 1 if each core has a rank.
     groups : array_like of int, shape (n,), optional
-        The object of each row's vertex.
+        The group of the vertex of each row, >= 0.
     filter : callable, optional
-        As of `tamis.Detector`; asked on any rank, so what it says of a pair may not depend on the rank.
+        As in `tamis.Detector`. Any rank may ask it, so its answer about a pair may not depend on the rank.
     min_separation, isa, may_touch, radii, is_cancelled
-        As of `tamis.Detector`.
+        As in `tamis.Detector`.
 
     Raises
     ------
     InvalidMesh
-        A negative number, a vertex that is given twice by one rank, or one that is used and given by none.
+        A negative number, a vertex that one rank gives twice, or a vertex that is used and that no rank gives.
     InvalidOptions
-        As of `tamis.Detector`, and where ranks say different things.
+        As in `tamis.Detector`, or the options of ranks differ.
     """
 
     __slots__ = ("__weakref__", "_description", "_detector", "_lock", "_ranks")
@@ -137,17 +137,17 @@ class Detector(Questions):
 
     @property
     def vertex_count(self) -> int:
-        """Largest number of a vertex that is used, of all ranks, plus 1."""
+        """The largest number of a vertex that any rank gives or uses, plus 1."""
         return self._detector.vertex_count()
 
     @property
     def statistics(self) -> Statistics:
-        """What the last question cost this rank."""
+        """The cost of the last question on this rank."""
         return Statistics(**self._detector.statistics())
 
     @property
     def balance(self) -> Balance:
-        """How evenly the last question's work was shared; the same on every rank."""
+        """How evenly the ranks shared the work of the last question; the same on every rank."""
         return Balance(*self._detector.balance())
 
     def __repr__(self) -> str:

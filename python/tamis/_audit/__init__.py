@@ -1,1 +1,1 @@
-"""Audits of whole motions."""
+"""Audits: is a whole motion free, and if not, where is it bad?"""

@@ -1,4 +1,4 @@
-"""Frames of an .npz archive, one after the other: the archive may be larger than the memory."""
+"""Reads the frames of an .npz archive one after the other, so that it may be larger than the memory."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class _Member(NamedTuple):
 def archive_frames(
     path: str, mesh_of: Callable[[int], _core.SharedMesh] | None, objects: Objects | None
 ) -> Iterator[Frame]:
-    """Yield the frames; `mesh_of` gives the mesh for so many vertices, where the archive's own is not to be used."""
+    """Yield the frames. `mesh_of` returns the mesh, given the number of vertices; None: the archive has the faces."""
     try:
         with zipfile.ZipFile(path) as archive:
             members = [_header(archive, name) for name in archive.namelist() if name.endswith(".npy")]

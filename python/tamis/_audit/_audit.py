@@ -1,4 +1,4 @@
-"""One call for a whole motion."""
+"""`audit`: one call for a whole recorded motion, whatever its source."""
 
 from __future__ import annotations
 
@@ -39,47 +39,59 @@ def audit(
     listed_pairs: int = 1_000_000,
     progress: Callable[[int], object] | None = None,
 ) -> AuditReport:
-    """Find what passes through what in the frames of a recorded motion, and what touches between two of them.
+    """Find the intersections in each frame of a recorded motion, and the contacts in each step between two frames.
 
-    Frames are read one after the other and let go when they have been asked about; threads ask about different ones.
+    Frames are read one after the other, and let go when they have been asked about. Threads ask about different frames.
 
     Parameters
     ----------
     source
-        Where each vertex is, frame by frame; each step between two frames is straight.
+        Where each vertex is, frame by frame. In a step between two frames each vertex moves on a straight line.
 
-        - array_like, shape (f, n, 3), or an iterable of frames, shape (n, 3) each; they need `mesh` or `faces`. What
-          `read_frames` gives brings its own.
-        - The name of a file, a folder or a glob pattern, or a list of them: PLY and OBJ in natural order; a mesh file
-          and a point cache (.pc2, .mdd), or the cache alone and `mesh`; .npz, whose one array of shape (f, n, 3) has
-          the positions and whose one array of whole numbers of shape (t, 3) has the faces.
-        - A USD stage (.usd, .usda, .usdc, .usdz, or a `Usd.Stage`) or a glTF file (.gltf, .glb): as `read_usd` and
-          `read_gltf` have it, which take more options.
+        - array_like, shape (f, n, 3), or an iterable of frames, shape (n, 3) each: needs `mesh` or `faces`. Or what
+          `read_frames` returns, which has a mesh.
+        - The name of a file, a folder or a glob pattern, or a list of them: PLY and OBJ files, sorted in natural order;
+          a mesh file with a point cache (.pc2, .mdd), or the cache alone with `mesh`; or one .npz archive, whose only
+          array of shape (f, n, 3) has the positions, and whose only array of whole numbers of shape (t, 3) has the
+          faces (or give `mesh`).
+        - A USD stage (.usd, .usda, .usdc, .usdz, or a `Usd.Stage`) or a glTF file (.gltf, .glb), read as by `read_usd`
+          and `read_gltf`, which have more options.
+        - A `Motion`, which these two return.
     mesh : Mesh, optional
-        What moves; or `faces`.
+        The mesh that moves, if the source has none.
     faces : array_like of int, shape (t, 3), optional
-        Its triangles.
+        Its triangles, in place of `mesh`.
     objects : array_like of int, shape (n,), or dict, optional
-        As of `Auditor`.
+        As in `Auditor`.
     min_separation, threads, intersections, contacts, ring_limit, listed_pairs
-        As of `Auditor`; the report does not depend on the number of threads.
+        As in `Auditor`. The report does not depend on the number of threads.
     progress : callable, optional
-        ``progress(frames)`` is told now and then how many frames have been asked about.
+        ``progress(frames)`` is called now and then with the number of frames that have been asked about.
 
     Returns
     -------
     AuditReport
-        Frames that cannot be used are in its `problems`; it is then not free. Where the topology changes, or where a
-        number in the names of files leaps, no step leads from frame to frame: its `notes` say so.
+        Its `problems` name frames that cannot be used; a report with any is not free. Its `notes` name frames to which
+        no step leads, because the topology changes there, or the numbers in the names of files leap.
 
     Raises
     ------
     FileError, InvalidMesh, InvalidStep, InvalidOptions
-        What is given cannot be used.
+        An argument or a file cannot be used.
     ModuleNotFoundError
-        usd-core or pygltflib is not installed.
+        usd-core or pygltflib is needed and not installed.
     BaseException
-        Whatever the source raises, and KeyboardInterrupt. The exception's attribute `report` has what was found before.
+        Any exception of the source, and KeyboardInterrupt. The exception's attribute `report` is the report of the
+        frames before.
+
+    Examples
+    --------
+    A point falls through a triangle between the second and the third frame:
+
+    >>> mesh = Mesh([[0, 1, 2]], points=[3])
+    >>> frames = [[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.2, 0.2, z]] for z in (2, 1, -1)]
+    >>> audit(frames, mesh=mesh).first_bad.frame
+    2
     """
     options = make_audit_options(
         min_separation=min_separation,
@@ -102,7 +114,7 @@ def audit(
 
 
 class _Known:
-    """What the caller says of the mesh."""
+    """The arguments of `audit` about the mesh, checked: `mesh` or `faces`, and `objects`."""
 
     def __init__(self, mesh: Mesh | None, faces: npt.ArrayLike | None, objects: Objects | None) -> None:
         if mesh is not None and faces is not None:
@@ -137,7 +149,7 @@ def _ask(source: Any, known: _Known, options: _core.AuditOptions) -> _core.Audit
 
 
 def _names_of(source: Any) -> list[str] | None:
-    """Return names of files; None if it is anything else."""
+    """Return the names of files that the source is; None if it is no name and no list of names."""
     if isinstance(source, (str, bytes, os.PathLike)):
         return [file_name(source, "source")]
     is_list = isinstance(source, (list, tuple)) and len(source) > 0
@@ -155,14 +167,14 @@ def _frames_of_file(name: str, suffix: str, known: _Known) -> Iterator[Frame]:
 
 
 def _ask_files(names: list[str], known: _Known, options: _core.AuditOptions) -> _core.AuditReport:
-    """PLY, OBJ and point caches are read by the core."""
+    """Audit PLY and OBJ files and point caches, which the compiled part reads."""
     paths, has_cache = _core.motion_files(names)
     is_cache_alone = has_cache and len(paths) == 1
     if not is_cache_alone:
         known.require_none(paths[0])
     if known.is_given:
         return _core.audit_files(names, known.of(None), None, options)
-    if known.objects is None or is_cache_alone:  # for which the core has a sentence
+    if known.objects is None or is_cache_alone:  # for a cache alone the compiled part raises: it needs a mesh
         return _core.audit_files(names, None, None, options)
     return _core.audit_files(names, None, shared_mesh(read_mesh(paths[0]).mesh, known.objects), options)
 
@@ -180,7 +192,7 @@ def _frames_of(source: Any, known: _Known) -> Iterator[Frame]:
 
 
 def _is_stack(source: Any) -> bool:
-    """Whether frames can be taken from it one by one, without a copy of all."""
+    """Whether the source is an array whose frames can be used one by one, without a copy of the whole."""
     return isinstance(source, np.ndarray) and source.ndim == 3 and source.dtype.kind in "iuf"
 
 

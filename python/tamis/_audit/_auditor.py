@@ -1,4 +1,4 @@
-"""Audits of a motion that is still going on."""
+"""`Auditor`: audits a motion while it is being simulated."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from tamis._mesh import Mesh
 
 
 class StepReport(NamedTuple):
-    """What was found in the frame that was added, and in the step to it.
+    """The findings in the frame that was added, and in the step to it.
 
     Attributes
     ----------
     frame : AuditFrame
-        How many pairs, and when the first touches.
+        The numbers of pairs, and the time of the first contact.
     pairs : AuditPairs
-        What was found, a row a pair.
+        The intersections and contacts.
     problem : str
         Why the frame could not be used; empty if it could.
     """
@@ -35,12 +35,12 @@ class StepReport(NamedTuple):
 
     @property
     def is_free(self) -> bool:
-        """True: nothing was found, proven."""
+        """Whether the frame could be used and nothing was found in it and the step to it. True is a proof."""
         return not self.problem and not len(self.pairs)
 
 
 class Auditor:
-    """Audits a motion while it is being made: one frame after the other, as `audit` does a recorded one.
+    """Audits a motion while it is being simulated, one frame after the other, as `audit` does a recorded motion.
 
     >>> auditor = tamis.Auditor(tamis.Mesh(faces))
     >>> while simulating:
@@ -50,20 +50,21 @@ class Auditor:
     Parameters
     ----------
     mesh : Mesh
-        What moves.
+        The mesh that moves.
     objects : array_like of int, shape (n,), or dict, optional
-        The object that each vertex belongs to, from 0, -1 for none; or the vertices of each object by its name, as
-        slices, ranges or arrays of indices. By default what is connected is an object.
+        The object that each vertex belongs to, >= 0, or -1 for none. Or a dict from the name of each object to its
+        vertices: a slice, a range or an array of indices. By default each connected part of the mesh is an object.
     min_separation : float
-        d >= 0 in the unit of the positions: contact means Euclidean distance <= d. Intersections have none.
+        d >= 0, in the unit of the positions: contact means Euclidean distance <= d. It does not count for
+        intersections.
     threads : int
-        That share each frame; 0: all. Speed only.
+        The number of threads that share each frame, >= 0; 0: all. Changes speed only.
     intersections, contacts : bool
-        What to ask: of each frame, and of each step between two.
+        Whether to find the intersections in each frame, and the contacts in each step.
     ring_limit : int
-        From 1 to 1000: how far to search for the path between two features, in edges.
+        In [1, 1000]: the largest number of edges to search for the shortest path between the features of a pair.
     listed_pairs : int
-        >= 0: how many pairs `AuditReport.pairs` may list; all are counted.
+        >= 0: the largest number of pairs in `AuditReport.pairs`. All pairs are counted.
 
     Raises
     ------
@@ -102,28 +103,31 @@ class Auditor:
 
     @property
     def mesh(self) -> Mesh:
-        """What moves."""
+        """The mesh that moves."""
         return self._mesh
 
     def add(self, positions: npt.ArrayLike, name: str | None = None) -> StepReport:
-        """Ask about the next frame, and about the step to it from the one before.
+        """Audit the next frame, and the step to it from the frame before.
 
         Parameters
         ----------
         positions : array_like, shape (n, 3)
-            Where each vertex is. They are copied, as doubles: the same memory may hold the next frame.
+            Where each vertex is. They are copied: the same memory may hold the next frame.
         name : str, optional
-            What to call the frame; by default its number.
+            The name of the frame; by default its number.
 
         Returns
         -------
         StepReport
-            A frame that cannot be used, such as one with a NaN, has a `problem`; no step leads to it or from it.
+            The findings. A frame that cannot be used, such as one with a NaN, has a `problem`; no step leads to it or
+            from it.
 
         Raises
         ------
         InvalidStep
-            Positions that are no rows of three numbers.
+            An array of another shape than (n, 3), or of another type.
+        InvalidOptions
+            `name` is no text.
         """
         called = "" if name is None else word(name, "name")
         row, label, problem, pairs = self._auditor.add(rows(positions, "positions"), called)
@@ -131,7 +135,7 @@ class Auditor:
         return StepReport(frame._replace(name=label), AuditPairs(pairs, self._names), problem)
 
     def report(self) -> AuditReport:
-        """Return what was found in all frames so far."""
+        """Return the findings in all frames so far."""
         return AuditReport(self._auditor.report())
 
     def __reduce__(self) -> Any:

@@ -1,4 +1,4 @@
-"""The meshes of a glTF file in motion, by pygltflib."""
+"""`read_gltf`: reads the animated meshes of a glTF file with pygltflib."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tamis._audit._recorded import Frame, Motion
 from tamis._checks import file_name, number
 from tamis._errors import Error, FileError, InvalidOptions
 
-# What changes nothing in where vertices are.
+# Extensions that do not change where vertices are.
 _HARMLESS = (
     "KHR_materials_",
     "KHR_texture_",
@@ -31,20 +31,20 @@ _INSTANCES = "EXT_mesh_gpu_instancing"
 def read_gltf(
     path: str | os.PathLike[str], *, frames_per_second: float = 30.0, animation: int | str | None = None
 ) -> Motion:
-    """Read the meshes of a glTF file in motion: morph targets, skins and nodes that move, in world space.
+    """Read the meshes of a glTF file in motion: morph targets, skins and moving nodes, in world space.
 
-    An animation has times of its own for each value, and is curved between them; so it is sampled. Each node of the
-    default scene with a mesh is an object, by its name; vertices that stand apart for the sake of normals or textures
-    alone are joined.
+    An animation is sampled, as its values have keys at different times and curves between them. Each node with a mesh
+    in the default scene is an object with the node's name. Vertices that differ only in normals, textures and the like
+    are joined.
 
     Parameters
     ----------
     path : path_like
-        .gltf, with its buffers beside it, or .glb.
+        A .gltf file, with its buffers beside it, or a .glb file.
     frames_per_second : float
-        > 0: how many frames are taken of each second.
+        Finite and > 0: the number of frames to sample in each second.
     animation : int or str, optional
-        Which one, by number or name; by default the first. A file without one has a single frame.
+        The number or name of the animation; by default the first. A file without animations has a single frame.
 
     Returns
     -------
@@ -54,9 +54,9 @@ def read_gltf(
     Raises
     ------
     FileError
-        It cannot be read, needs an extension that is not understood, or there are no triangles.
+        The file cannot be read, needs an extension that is not understood, or has no triangles.
     InvalidOptions
-        There is no such animation; frames_per_second is not finite or not above 0.
+        There is no such animation, or `frames_per_second` is outside its range.
     ModuleNotFoundError
         pygltflib is not installed: pip install pygltflib.
     """
@@ -104,7 +104,7 @@ def _load(name: str) -> Any:
 
     try:
         gltf = pygltflib.GLTF2().load(name)
-    except Exception as error:  # the package raises what it comes upon: KeyError, UnicodeDecodeError, struct.error, ...
+    except Exception as error:  # the package lets exceptions of all kinds through: KeyError, struct.error, ...
         raise FileError(f"{name}: cannot be read as glTF ({error}): check the path and what the file is") from None
     if gltf is None:
         raise FileError(f"{name}: no such file: check the path")

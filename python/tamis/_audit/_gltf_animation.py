@@ -1,4 +1,4 @@
-"""Animations of a glTF file: where nodes are at some time."""
+"""Animations of a glTF file, and the poses of its nodes at a time."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class _Channel(NamedTuple):
     node: int
     path: str  # translation, rotation, scale, weights
     times: Doubles
-    values: Doubles  # a row a key; of cubic splines three: tangent in, value, tangent out
+    values: Doubles  # one row a key; for cubic splines three rows: tangent in, value, tangent out
     how: str  # LINEAR, STEP, CUBICSPLINE
 
     def at(self, time: float) -> Doubles:
@@ -36,7 +36,7 @@ class _Channel(NamedTuple):
 
 
 def _spline(first: Doubles, second: Doubles, t: float, length: float) -> Doubles:
-    """Follow the Hermite spline of the specification."""
+    """Return the value at t in [0, 1] of the specification's Hermite spline between keys that are `length` s apart."""
     (_, a, out), (into, b, _) = first, second
     value: Doubles = (
         (2 * t**3 - 3 * t**2 + 1) * a
@@ -48,7 +48,7 @@ def _spline(first: Doubles, second: Doubles, t: float, length: float) -> Doubles
 
 
 def _turned(a: Doubles, b: Doubles, t: float) -> Doubles:
-    """Go from one rotation to the other on the shorter arc, at a constant rate."""
+    """Return the rotation at t in [0, 1] between two quaternions, on the shorter arc at constant speed (slerp)."""
     cosine = float(a @ b)
     if cosine < 0:
         b, cosine = -b, -cosine
@@ -59,18 +59,18 @@ def _turned(a: Doubles, b: Doubles, t: float) -> Doubles:
 
 
 class Animation:
-    """What moves, and how."""
+    """The channels of one animation, by node and property."""
 
     def __init__(self, channels: list[_Channel]) -> None:
         self._channels = {(channel.node, channel.path): channel for channel in channels}
 
     def at(self, node: int, path: str, time: float) -> Doubles | None:
-        """Return the value of a node's property; None if it does not move."""
+        """Return the value of a node's property at a time; None if the property is not animated."""
         channel = self._channels.get((node, path))
         return None if channel is None else channel.at(time)
 
     def frame_times(self, rate: float) -> Doubles:
-        """Return times from the first key to the last, so many a second; the last one is always there."""
+        """Return times from the first key to the last key, `rate` a second, and always the last key's."""
         first = min((channel.times[0] for channel in self._channels.values()), default=0.0)
         last = max((channel.times[-1] for channel in self._channels.values()), default=0.0)
         count = int(np.floor((last - first) * rate + 1e-9))
@@ -79,7 +79,7 @@ class Animation:
 
 
 def animation_of(gltf: Any, buffers: Buffers, name: str, which: Any) -> Animation | None:
-    """Return the animation that is asked for; None if there is none and none is asked for."""
+    """Return the animation of the number or name `which`, by default the first; None if the file has none."""
     animations = gltf.animations or []
     if which is None and not animations:
         return None
@@ -97,14 +97,14 @@ def _channels(animation: Any, buffers: Buffers) -> list[_Channel]:
         times = buffers.doubles(sampler.input)[:, 0]
         how = sampler.interpolation or "LINEAR"
         keys = len(times) * (3 if how == "CUBICSPLINE" else 1)
-        values = buffers.doubles(sampler.output).reshape(keys, -1)  # weights come one by one
+        values = buffers.doubles(sampler.output).reshape(keys, -1)  # morph weights are stored as scalars
         if channel.target.node is not None and len(times):
             channels.append(_Channel(channel.target.node, channel.target.path, times, values, how))
     return channels
 
 
 class Pose:
-    """Where the nodes of a file are at some time."""
+    """The nodes of a file at one time of an animation."""
 
     def __init__(self, gltf: Any, animation: Animation | None, time: float) -> None:
         self._gltf, self._animation, self._time = gltf, animation, time
@@ -112,7 +112,7 @@ class Pose:
         self._parents = {child: i for i, node in enumerate(gltf.nodes) for child in node.children or []}
 
     def world(self, node: int) -> Doubles:
-        """Return the matrix from the node's space to the world's, for columns."""
+        """Return the 4 x 4 matrix from the node's space to the world's; it multiplies columns."""
         above: list[int] = []
         next_above = node
         while next_above not in self._worlds:
@@ -128,7 +128,7 @@ class Pose:
         return self._worlds[node]
 
     def weights(self, node: int, default: Doubles) -> Doubles:
-        """Return the weights of the morph targets."""
+        """Return the weights of a node's morph targets."""
         found = self._value(node, "weights")
         return default if found is None else found
 

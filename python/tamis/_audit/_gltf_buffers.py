@@ -1,4 +1,4 @@
-"""Numbers that a glTF file keeps in its buffers."""
+"""The numbers in the buffers of a glTF file."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ _COLUMNS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 
 
 class Buffers:
-    """Accessors of a file as arrays."""
+    """Reads the accessors of a file as arrays."""
 
     def __init__(self, gltf: Any, name: str) -> None:
         self._gltf, self._name = gltf, name
         self._bytes: dict[int, bytes] = {}
 
     def doubles(self, accessor: int) -> Doubles:
-        """Return numbers, shape (n, columns); integers that stand for fractions as these."""
+        """Return an accessor's numbers as doubles, shape (n, columns); normalized integers as fractions."""
         given = self._gltf.accessors[accessor]
         array = self._array(accessor)
         if not given.normalized or array.dtype.kind == "f":
@@ -36,7 +36,7 @@ class Buffers:
         return fractions
 
     def whole(self, accessor: int) -> npt.NDArray[np.int64]:
-        """Return whole numbers, shape (n, columns)."""
+        """Return an accessor's whole numbers, shape (n, columns)."""
         return self._array(accessor).astype(np.int64)
 
     def _array(self, accessor: int) -> npt.NDArray[Any]:

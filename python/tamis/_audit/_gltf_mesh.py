@@ -1,4 +1,4 @@
-"""Nodes of a glTF file that have a mesh: where its vertices are in a pose."""
+"""Nodes of a glTF file that have a mesh, and where its vertices are in a pose."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _Whole = npt.NDArray[np.int64]
 
 
 class _Skin:
-    """Joints of a mesh, and what each vertex takes of them."""
+    """The joints of a mesh, and the joints and weights of each vertex."""
 
     def __init__(self, given: Any, buffers: Buffers, joints: _Whole, weights: Doubles) -> None:
         self.nodes: list[int] = list(given.joints)
@@ -34,7 +34,7 @@ class _Skin:
 
 
 class MovingNode:
-    """A node's mesh: triangles over joined vertices, morph targets, and a skin."""
+    """A node with its mesh: triangles over joined vertices, morph targets, perhaps a skin."""
 
     def __init__(self, gltf: Any, node: int, buffers: Buffers, file: str) -> None:
         given = gltf.nodes[node]
@@ -61,7 +61,7 @@ class MovingNode:
         )
 
     def points(self, pose: Pose) -> Doubles:
-        """Return where the vertices are, in the world."""
+        """Return where the vertices are in world space."""
         points = self._base
         if self._targets.shape[1]:
             points = points + np.einsum("t,vtx->vx", pose.weights(self._node, self._default), self._targets)
@@ -89,7 +89,7 @@ class _Primitive:
         self.faces = _triangles(corners, 4 if given.mode is None else given.mode)
 
     def columns(self) -> Doubles:
-        """Return all that says where a vertex is, a row each."""
+        """Return one row a vertex with all data that decide where it is: position, morph targets, joints, weights."""
         return np.concatenate([self.base, *self.targets, *self.joints, *self.weights], axis=1)
 
 
@@ -111,7 +111,7 @@ def _numbered(attributes: Any, name: str) -> list[int]:
 
 
 def _triangles(corners: _Whole, mode: int) -> _Whole:
-    """Return the triangles of a list, a strip or a fan; points and lines have none."""
+    """Return the triangles of a list (mode 4), a strip (5) or a fan (6); points and lines have none."""
     if mode == 4:
         return corners[: len(corners) // 3 * 3].reshape(-1, 3)
     if mode not in (5, 6) or len(corners) < 3:
@@ -123,7 +123,7 @@ def _triangles(corners: _Whole, mode: int) -> _Whole:
 
 
 def _joined(columns: Doubles) -> tuple[_Whole, _Whole]:
-    """Join vertices that stay together whatever moves: the rows that are kept, and the new place of each."""
+    """Join vertices with equal rows, which no motion separates: return the rows to keep, and each vertex' new place."""
     _, kept, place = np.unique(columns, axis=0, return_index=True, return_inverse=True)
     order = np.argsort(kept)
     place_of = np.empty_like(order)
@@ -132,7 +132,7 @@ def _joined(columns: Doubles) -> tuple[_Whole, _Whole]:
 
 
 def moving_nodes(gltf: Any, buffers: Buffers, file: str) -> list[MovingNode]:
-    """Return the nodes of the scene whose mesh has triangles; there is at least one."""
+    """Return the nodes of the scene whose mesh has triangles, with different names; raise if there is none."""
     placed = [i for i in _nodes_of_scene(gltf) if gltf.nodes[i].mesh is not None]
     nodes = [node for node in (MovingNode(gltf, i, buffers, file) for i in placed) if len(node.faces)]
     if not nodes:
@@ -146,7 +146,7 @@ def moving_nodes(gltf: Any, buffers: Buffers, file: str) -> list[MovingNode]:
 
 
 def _nodes_of_scene(gltf: Any) -> list[int]:
-    """Return the nodes of the default scene, or of the first; all of a file without scenes."""
+    """Return the nodes of the default scene, else of the first scene; all nodes if the file has no scenes."""
     if not gltf.scenes:
         return list(range(len(gltf.nodes or [])))
     found: set[int] = set()

@@ -1,4 +1,4 @@
-"""Several meshes as one, each an object by its name."""
+"""Joins meshes into one, in which each is an object with a name."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tamis._mesh import Mesh
 
 
 class Part(NamedTuple):
-    """One of them."""
+    """One of the meshes to join."""
 
     name: str
     vertex_count: int
@@ -21,7 +21,7 @@ class Part(NamedTuple):
 
 
 def joined(parts: list[Part]) -> _core.SharedMesh:
-    """Make one mesh of them, their vertices one behind the other."""
+    """Return one mesh with the vertices of all parts, in their order."""
     ends = np.cumsum([part.vertex_count for part in parts])
     starts = ends - [part.vertex_count for part in parts]
     faces = np.concatenate([part.faces + int(start) for part, start in zip(parts, starts)])

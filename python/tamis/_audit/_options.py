@@ -1,4 +1,4 @@
-"""Options of an audit, from Python's keywords to the core's."""
+"""The compiled part's options of an audit, made from Python's keywords."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def make_audit_options(
     listed_pairs: int,
     progress: Callable[[int], object] | None = None,
 ) -> _core.AuditOptions:
-    """Return what the keywords say."""
+    """Check the keywords; return the options."""
     return _core.AuditOptions(
         number(min_separation, "min_separation"),
         whole(threads, "threads", advice=", 0 being all"),

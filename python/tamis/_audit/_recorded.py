@@ -1,4 +1,4 @@
-"""Recorded motions: what an audit reads, frame by frame."""
+"""Recorded motions, which an audit reads frame by frame."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tamis._errors import Error
 
 
 class Frame(NamedTuple):
-    """One frame as the core takes it: a new `mesh` where the topology changes; `problem` says why it has none."""
+    """One frame for the compiled part; `mesh` is another object if the topology changes, `problem` why it has none."""
 
     name: str
     positions: Doubles | None
@@ -22,9 +22,9 @@ class Frame(NamedTuple):
 
 
 class Motion:
-    """A recorded motion that can be audited: what `read_usd` and `read_gltf` return.
+    """A recorded motion for `audit`, as `read_usd` and `read_gltf` return it.
 
-    Its frames are read when they are asked about, and may be asked about again.
+    Its frames are read during the audit; it may be audited several times.
     """
 
     __slots__ = ("_description", "_frames")

@@ -1,4 +1,4 @@
-"""The answer to an audit."""
+"""The report of an audit."""
 
 from __future__ import annotations
 
@@ -13,7 +13,15 @@ from tamis._looking import Page, place_for_page, show
 
 
 class AuditReport:
-    """What was found in a motion, frame by frame. It owns its memory."""
+    """The findings in a motion, frame by frame. They own their memory.
+
+    Attributes
+    ----------
+    frames : AuditFrames
+        One row a frame.
+    pairs : AuditPairs
+        The intersections and contacts, the first `listed_pairs` of them.
+    """
 
     __slots__ = ("_facts", "_report", "frames", "pairs")
 
@@ -29,61 +37,61 @@ class AuditReport:
 
     @property
     def is_free(self) -> bool:
-        """True: no frame has an intersection and no step a contact, proven, and all could be asked about."""
+        """Whether all frames could be used, no frame has an intersection, and no step a contact. True is a proof."""
         return bool(self._facts["is_free"])
 
     @property
     def first_bad(self) -> AuditFrame | None:
-        """The first frame with an intersection, or at which a step with contacts ends; None if there is none."""
+        """The first frame that has an intersection, or at which a step with contacts ends; None if there is none."""
         bad = self.frames.is_bad.nonzero()[0]
         return self.frames[int(bad[0])] if len(bad) else None
 
     @property
     def steps(self) -> AuditFrames:
-        """The rows of `frames` at which a step ends that was asked about."""
+        """The rows of `frames` that have a step: one from the frame before was asked about."""
         return self.frames[self.frames.has_step]
 
     @property
     def problems(self) -> dict[int, str]:
-        """Frames that could not be asked about, and why."""
+        """Why frames could not be used, by the number of the frame."""
         return {frame: text for frame, text in enumerate(self._facts["problems"]) if text}
 
     @property
     def notes(self) -> dict[int, str]:
-        """What else a reader should know, by frame: the topology changes there, frames are missing before it."""
+        """Other remarks, by the number of the frame: the topology changes there, or frames are missing before it."""
         return {frame: text for frame, text in enumerate(self._facts["notes"]) if text}
 
     @property
     def pairs_left_out(self) -> int:
-        """Pairs that were found and counted, but are not listed in `pairs`: see `listed_pairs`."""
+        """The number of pairs that were counted but are not in `pairs`, as there are more than `listed_pairs`."""
         return int(self._facts["pairs_left_out"])
 
     @property
     def ring_limit(self) -> int:
-        """How far paths between features were searched, in edges."""
+        """The largest number of edges for which paths between features were searched."""
         return int(self._facts["ring_limit"])
 
     @property
     def rings(self) -> dict[int, int]:
-        """How many pairs there are of each `AuditPair.rings`, counting those that are not listed."""
+        """The number of pairs with each value of `AuditPair.rings`, pairs that are not listed included."""
         *connected, apart = self._facts["by_rings"]
         return {rings: count for rings, count in [*enumerate(connected, 1), (-1, apart)] if count}
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a file, as the command's `--out` does: complete or not at all.
+        """Write a page or a table, as the command's `--out` does. If that fails, no file is left.
 
         Parameters
         ----------
         path : path_like
-            ``.html``: the page of `view`. ``.csv``: a table of the listed pairs, with the columns frame, kind, v0, ...,
-            v4, toi_lower, toi_upper, object_a, object_b, rings.
+            The extension decides. ``.html``: the page of `view`. ``.csv``: a table of `pairs`, with the columns frame,
+            kind, v0, ..., v4, toi_lower, toi_upper, object_a, object_b, rings.
 
         Raises
         ------
         FileError
-            The file cannot be written, or no frame was kept that a page could show.
+            The file cannot be written, or there is no frame that a page could show.
         Error
-            Another extension.
+            The name has another extension.
         """
         name = file_name(path, "path")
         if name.lower().endswith(".html"):
@@ -94,25 +102,25 @@ class AuditReport:
             raise Error(f"{name}: let the name end in .html, for a page, or in .csv, for a table of the pairs")
 
     def view(self, path: str | os.PathLike[str] | None = None) -> Page:
-        """Show all frames in a strip, bad ones marked, and in each what was found: the page that `tamis audit` writes.
+        """Show the findings on the page that `tamis audit` writes: a strip of all frames, bad ones marked.
 
-        A notebook shows it below the cell; elsewhere it opens in the browser. All frames are in it as long as they need
-        no more than 256 MB; then the bad ones, and some of the others.
+        A notebook shows the page below the cell; elsewhere it opens in the browser. It has all frames if they need no
+        more than 256 MB; else the bad ones, and some of the others.
 
         Parameters
         ----------
         path : path_like, optional
-            Of the page, ending in ``.html``; by default among the temporary files.
+            The name of the page, which ends in ``.html``; by default in a new folder among the temporary files.
 
         Returns
         -------
         Page
-            Its `path` is the file: send it along.
+            Its `path` is the file, which works alone.
 
         Raises
         ------
         FileError, Error
-            As of `save`.
+            As in `save`.
         """
         place = place_for_page(path)
         self.save(place)

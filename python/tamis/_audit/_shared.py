@@ -1,4 +1,4 @@
-"""The mesh of an audit, with its objects."""
+"""The mesh of an audit with its objects, shared by frames."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Objects = Union[npt.ArrayLike, "dict[str, Any]"]
 
 
 def shared_mesh(mesh: Mesh, objects: Objects | None = None) -> _core.SharedMesh:
-    """Return the mesh with the objects that the caller names; none: what is connected, which have no names."""
+    """Return the mesh with the caller's objects; for None each connected part is an object, without a name."""
     known = instance(mesh, Mesh, "mesh", "a tamis.Mesh, as of tamis.Mesh(faces)", InvalidMesh)
     names: list[str] = []
     if isinstance(objects, dict):

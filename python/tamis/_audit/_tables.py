@@ -1,4 +1,4 @@
-"""The tables of a report: a row a frame, a row a pair."""
+"""The tables of an audit's report: one of frames, one of pairs."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Counts = npt.NDArray[np.uint64]
 
 
 class AuditKind(enum.IntEnum):
-    """Kinds of pairs in a report: those of `PairKind`, which are contacts, and an edge through a face."""
+    """Kinds of pairs in a report: those of `PairKind` for contacts, and EDGE_FACE for intersections."""
 
     VERTEX_FACE = 0
     EDGE_EDGE = 1
@@ -30,7 +30,7 @@ class AuditKind(enum.IntEnum):
 
     @property
     def short_name(self) -> str:
-        """As in files and on the command line: vf, ee, ve, vv, and ef of an intersection."""
+        """The name in files and on the command line: vf, ee, ve, vv; ef for an intersection."""
         return _SHORT_NAMES[self]
 
 
@@ -38,23 +38,23 @@ _SHORT_NAMES = (*SHORT_NAMES, "ef")
 
 
 class AuditPair(NamedTuple):
-    """A pair of features that touches during a step, or passes through each other in a frame.
+    """A contact in a step, or an intersection in a frame.
 
     Attributes
     ----------
     frame : int
-        The frame, counted from 0; of a contact the one at which the step ends.
+        The number of the frame, from 0; for a contact, the frame at which the step ends.
     kind : AuditKind
-        EDGE_FACE is an intersection, the others are contacts.
+        EDGE_FACE: an intersection. The other kinds: a contact.
     vertices : tuple of int
-        Of the first feature, then of the second: as in `Contact` and `Intersection`.
+        The vertices of the first feature, then of the second, as in `Contact` and `Intersection`, without -1.
     toi_lower, toi_upper : float
-        Fractions of the step, as in `Contact`; of an intersection both are 1.
+        Fractions of the step, as in `Contact`; for an intersection both are 1.
     objects : tuple of two str
-        The object that each feature belongs to: its name, or its number.
+        The object that each feature belongs to: its name, or its number as text if it has none.
     rings : int
-        Edges on the shortest path from one feature to the other: 1 of topological neighbours, which one edge joins.
-        -1 if none leads there; one more than the report's `ring_limit` if it is longer than that.
+        The number of edges on the shortest path from one feature to the other; 1 for topological neighbours. -1 if no
+        path leads there. The report's `ring_limit` + 1 if the path is longer than that limit.
     """
 
     frame: int
@@ -67,7 +67,7 @@ class AuditPair(NamedTuple):
 
 
 class ObjectNames:
-    """What objects are called: a list of names from some frame on, until the next."""
+    """The names of objects: lists of names, each valid from its first frame until that of the next list."""
 
     __slots__ = ("_first_frames", "_names")
 
@@ -76,14 +76,14 @@ class ObjectNames:
         self._names = [list(names) for _, names in segments]
 
     def of(self, frame: int, number: int) -> str:
-        """Return the name of an object in a frame; its number if it has none."""
+        """Return the name of an object in a frame, or its number as text if it has no name."""
         segment = int(np.searchsorted(self._first_frames, frame, side="right")) - 1
         names = self._names[segment] if segment >= 0 else []
         return names[number] if 0 <= number < len(names) else str(number)
 
 
 class FrameNames:
-    """What frames are called."""
+    """The names of frames."""
 
     __slots__ = ("_names",)
 
@@ -91,7 +91,7 @@ class FrameNames:
         self._names = list(names)
 
     def of(self, frame: int) -> str:
-        """Return the name of a frame; its number if it has none."""
+        """Return the name of a frame, or its number as text if it has no name."""
         return self._names[frame] if frame < len(self._names) else str(frame)
 
 
@@ -99,28 +99,28 @@ _NO_NAMES = "none: only a report knows what things are called"
 
 
 class AuditPairs(Table[AuditPair]):
-    """Pairs that touch or pass through each other, by frame; in each, intersections come first.
+    """Intersections and contacts, sorted by frame; in each frame the intersections come first.
 
-    `len()` counts them; an integer index gives an `AuditPair`, anything else that indexes an array gives `AuditPairs`.
-    The columns of `table` are frame, kind, vertices, toi_lower, toi_upper, objects, rings.
+    `len()` counts the pairs; an integer index gives an `AuditPair`, any other index of an array gives `AuditPairs`. The
+    columns of `table` are frame, kind, vertices, toi_lower, toi_upper, objects, rings.
     """
 
     __slots__ = ("_names",)
     _dtype = np.dtype(_core.finding_layout())
 
-    frame = Column[npt.NDArray[np.int64]]("The frame of each, shape (n,); of a contact the one at which the step ends.")
-    kind = Column[npt.NDArray[np.uint8]]("`AuditKind` of each, shape (n,).")
+    frame = Column[npt.NDArray[np.int64]](
+        "The number of each pair's frame, shape (n,); for a contact, the frame at which the step ends."
+    )
+    kind = Column[npt.NDArray[np.uint8]]("The `AuditKind` of each pair, shape (n,).")
     vertices = Column[Indices](
-        "Vertex indices, shape (n, 5): of the first feature, then of the second; -1 where a kind has fewer."
+        "Vertex indices of the first feature, then of the second, shape (n, 5); unused entries are -1."
     )
     toi_lower = Column[Doubles](
-        "Before this fraction of the step the pair is proven apart, shape (n,); 1 of an intersection."
+        "Fraction of the step, shape (n,): before it the pair is proven apart; 1 for an intersection."
     )
-    toi_upper = Column[Doubles]("By this fraction of the step the pair has touched, shape (n,); 1 of an intersection.")
-    objects = Column[Indices]("The objects of both features by their numbers, shape (n, 2).")
-    rings = Column[Indices](
-        "Edges from one feature to the other, shape (n,); -1 if none leads there: as in `AuditPair`."
-    )
+    toi_upper = Column[Doubles]("Fraction of the step, shape (n,): until then the pair has touched; 1 for an intersection.")
+    objects = Column[Indices]("The numbers of both features' objects, shape (n, 2).")
+    rings = Column[Indices]("The number of edges from one feature to the other, as in `AuditPair`, shape (n,).")
 
     def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], names: ObjectNames | None = None) -> None:
         super().__init__(table)
@@ -167,21 +167,21 @@ class AuditFrame(NamedTuple):
     Attributes
     ----------
     frame : int
-        Counted from 0.
+        The number of the frame, from 0.
     name : str
-        As the source calls it.
+        The source's name for the frame.
     is_usable : bool
-        False: nothing could be asked of it; the report's `problems` say why.
+        Whether the frame could be asked about; if not, the report's `problems` say why.
     has_step : bool
-        A step from the frame before was asked about.
+        Whether a step from the frame before was asked about.
     intersections : int
-        Pairs that pass through each other in the frame.
+        The number of intersections in the frame.
     contacts : int
-        Pairs that touch during the step.
+        The number of contacts in the step.
     neighbours : int
-        Pairs among both whose features are one edge apart.
+        The number of intersections and contacts whose features are one edge apart.
     toi_lower, toi_upper : float
-        Of the first contact: the step is free before `toi_lower`, proven. 1 if it is free.
+        Bracket of the first contact, fractions of the step: it is free before `toi_lower`, proven. 1 if it is free.
     """
 
     frame: int
@@ -198,20 +198,20 @@ class AuditFrame(NamedTuple):
 class AuditFrames(Table[AuditFrame]):
     """Frames in their order, each with the step that ends there.
 
-    `len()` counts them; an integer index gives an `AuditFrame`, anything else that indexes an array gives
-    `AuditFrames`. The columns of `table` are frame, is_usable, has_step, counts, neighbours, toi_lower, toi_upper.
+    `len()` counts the frames; an integer index gives an `AuditFrame`, any other index of an array gives `AuditFrames`.
+    The columns of `table` are frame, is_usable, has_step, counts, neighbours, toi_lower, toi_upper.
     """
 
     __slots__ = ("_names",)
     _dtype = np.dtype(_core.frame_row_layout())
 
-    frame = Column[npt.NDArray[np.int64]]("The number of each, from 0, shape (n,).")
-    is_usable = Column[npt.NDArray[np.bool_]]("Whether anything could be asked of it, shape (n,).")
-    has_step = Column[npt.NDArray[np.bool_]]("Whether a step was asked about that ends here, shape (n,).")
-    counts = Column[Counts]("Pairs by `AuditKind`, shape (n, 5).")
-    neighbours = Column[Counts]("Pairs of each frame and step whose features are one edge apart, shape (n,).")
-    toi_lower = Column[Doubles]("Each step is free before this fraction of it: proven, shape (n,); 1 if it is free.")
-    toi_upper = Column[Doubles]("By this fraction of each step some pair has touched, shape (n,); 1 if it is free.")
+    frame = Column[npt.NDArray[np.int64]]("The number of each frame, from 0, shape (n,).")
+    is_usable = Column[npt.NDArray[np.bool_]]("Whether each frame could be asked about, shape (n,).")
+    has_step = Column[npt.NDArray[np.bool_]]("Whether a step that ends at this frame was asked about, shape (n,).")
+    counts = Column[Counts]("The number of pairs of each `AuditKind`, shape (n, 5).")
+    neighbours = Column[Counts]("The number of pairs whose features are one edge apart, shape (n,).")
+    toi_lower = Column[Doubles]("Fraction of each step, shape (n,): it is free before, proven; 1 if it is free.")
+    toi_upper = Column[Doubles]("Fraction of each step, shape (n,): until then some pair has touched; 1 if it is free.")
 
     def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], names: FrameNames | None = None) -> None:
         super().__init__(table)
@@ -219,23 +219,23 @@ class AuditFrames(Table[AuditFrame]):
 
     @property
     def names(self) -> list[str]:
-        """What the source calls each."""
+        """The source's name for each frame."""
         return [self._names.of(frame) for frame in self.frame.tolist()]
 
     @property
     def intersections(self) -> Counts:
-        """Pairs that pass through each other in each frame, shape (n,)."""
+        """The number of intersections in each frame, shape (n,)."""
         return self.counts[:, AuditKind.EDGE_FACE]
 
     @property
     def contacts(self) -> Counts:
-        """Pairs that touch during each step, shape (n,)."""
+        """The number of contacts in each step, shape (n,)."""
         total: Counts = self.counts[:, : AuditKind.EDGE_FACE].sum(axis=1, dtype=np.uint64)
         return total
 
     @property
     def is_bad(self) -> npt.NDArray[np.bool_]:
-        """Whether anything was found, shape (n,)."""
+        """Whether each frame has an intersection, or its step a contact, shape (n,)."""
         bad: npt.NDArray[np.bool_] = np.asarray(self.counts.any(axis=1))
         return bad
 

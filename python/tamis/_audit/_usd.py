@@ -1,4 +1,4 @@
-"""The meshes of a USD stage in motion, by usd-core."""
+"""`read_usd`: reads the animated meshes of a USD stage with usd-core."""
 
 from __future__ import annotations
 
@@ -26,17 +26,18 @@ if TYPE_CHECKING:
 def read_usd(stage: str | os.PathLike[str] | Usd.Stage, *, prims: Sequence[str] | None = None) -> Motion:
     """Read the meshes of a USD stage in motion: composed, in world space, polygons cut into fans.
 
-    Frames are the times at which points or transforms of a mesh are written, and those of the frames that are played
-    where something turns, goes by a spline or has a skin; each mesh is an object, by its path. Skinned meshes (UsdSkel)
-    are baked in memory. Subdivision surfaces are taken as their control meshes. Proxies, guides and what is never
-    visible are left out unless a path in `prims` names them; so are point instancers.
+    The frames are at the times at which points or transforms of a mesh are written. If something turns, scales, follows
+    a spline or has a skin, they are also at the times of the stage's own frames (framesPerSecond). Each mesh is an
+    object with its path as the name. Skinned meshes (UsdSkel) are baked in memory. Subdivision surfaces are taken as
+    their control meshes. Proxies, guides and invisible meshes are left out unless a path in `prims` names them. Point
+    instancers are always left out.
 
     Parameters
     ----------
     stage : path_like or Usd.Stage
-        The file, or a stage that is open.
+        The name of a file, or an open stage.
     prims : sequence of str, optional
-        Paths of what to take, with all below: "/World/Cloth". By default everything.
+        Paths such as "/World/Cloth": the prims to read, with all below them. By default all.
 
     Returns
     -------
@@ -46,9 +47,9 @@ def read_usd(stage: str | os.PathLike[str] | Usd.Stage, *, prims: Sequence[str] 
     Raises
     ------
     FileError
-        It cannot be read, or there is no mesh.
+        The stage cannot be read, or has no mesh.
     InvalidOptions
-        A path that names nothing.
+        `prims` is no list of paths, or the stage has no such prim.
     ModuleNotFoundError
         usd-core is not installed: pip install usd-core.
     """
@@ -83,10 +84,10 @@ def _roots(stage: Any, prims: Any) -> list[Any]:
 
 
 class _Meshes:
-    """The meshes below some prims of a stage."""
+    """The meshes below some prims of a stage, and the times of their frames."""
 
     def __init__(self, stage: Any, roots: list[Any], name: str) -> None:
-        self._stage = with_baked_skins(stage, roots)  # prims are gone with their stage
+        self._stage = with_baked_skins(stage, roots)  # kept, because prims do not outlive their stage
         self.prims, left_out = shown_meshes(self._stage, [root.GetPath() for root in roots])
         if not self.prims:
             raise FileError(f"{name}: no mesh in it (UsdGeom.Mesh): give a stage, or prims, with meshes")
@@ -129,7 +130,7 @@ def _part(mesh: Any, time: Any) -> Part:
 
 
 def _fans(counts: npt.NDArray[np.integer], corners: npt.NDArray[np.integer]) -> Indices:
-    """Cut polygons, given by their numbers of corners and all their corners, into fans: shape (t, 3)."""
+    """Cut polygons into fans of triangles, shape (t, 3); `counts`: corners of each polygon, `corners`: all of them."""
     counts = np.asarray(counts, np.int64)
     first = np.concatenate([[0], np.cumsum(counts)[:-1]]) if len(counts) else np.empty(0, np.int64)
     of_polygon = np.maximum(counts - 2, 0)
@@ -150,6 +151,6 @@ def _world_points(mesh: Any, time: Any, transforms: Any) -> Doubles:
     points = np.array(mesh.GetPointsAttr().Get(time) or np.empty((0, 3)), np.float64).reshape(-1, 3)
     matrix = np.array(transforms.GetLocalToWorldTransform(mesh.GetPrim()), np.float64)
     if np.array_equal(matrix, np.eye(4)):
-        return points  # as they are written, without another rounding
+        return points  # exactly as written: no rounding
     placed: Doubles = points @ matrix[:3, :3] + matrix[3, :3]
     return placed

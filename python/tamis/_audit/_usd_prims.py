@@ -1,4 +1,4 @@
-"""Which meshes of a USD stage are asked about."""
+"""Chooses the meshes of a USD stage that are audited."""
 
 from __future__ import annotations
 
@@ -6,9 +6,10 @@ from typing import Any
 
 
 def shown_meshes(stage: Any, roots: list[Any]) -> tuple[list[Any], list[str]]:
-    """Return the meshes below some paths that are rendered, and what is not asked about.
+    """Return the meshes below some paths that are rendered, and the paths of other geometry, each with the reason.
 
-    Proxies, guides and invisible meshes lie where what they stand for is: they are taken where a path names them.
+    Proxies and guides lie where the meshes lie that they stand for. So these, and invisible meshes, are taken only if a
+    path in `roots` names them, or one above them that is of their kind.
     """
     from pxr import Usd, UsdGeom
 
@@ -18,7 +19,7 @@ def shown_meshes(stage: Any, roots: list[Any]) -> tuple[list[Any], list[str]]:
         for prim in prims:
             why = _why_left_out(prim, stage.GetPrimAtPath(root))
             if prim.IsA(UsdGeom.PointInstancer):
-                prims.PruneChildren()  # what is below it stands for its instances
+                prims.PruneChildren()  # its children are the prototypes of its instances
             if why:
                 left_out[prim.GetPath()] = f"{prim.GetPath()} ({why})"
             elif prim.IsA(UsdGeom.Mesh):

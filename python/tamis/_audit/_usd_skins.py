@@ -1,4 +1,4 @@
-"""Skinned meshes of a USD stage, baked into points that move: in a stage of our own over the same layers."""
+"""Bakes the skinned meshes of a USD stage into moving points, in a second stage over the same layers."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from tamis._audit._usd_times import played
 
 
 def with_baked_skins(stage: Any, roots: list[Any]) -> Any:
-    """Return a stage on which no mesh below `roots` needs a skeleton: the same one where none has a skin."""
+    """Return a stage on which no mesh below `roots` needs a skeleton: the same stage if none has a skin."""
     from pxr import Sdf, Usd
 
     skinned = _skinned(roots)
@@ -18,7 +18,7 @@ def with_baked_skins(stage: Any, roots: list[Any]) -> Any:
     own = _opened_again(stage, layer)
     with Usd.EditContext(own, layer):
         for path in skinned:
-            for above in path.GetPrefixes():  # nothing can be written within an instance
+            for above in path.GetPrefixes():  # prims within an instance cannot be written
                 if own.GetPrimAtPath(above).IsInstance():
                     own.GetPrimAtPath(above).SetInstanceable(False)
             _bake(own, own.GetPrimAtPath(path))
@@ -26,7 +26,7 @@ def with_baked_skins(stage: Any, roots: list[Any]) -> Any:
 
 
 def _opened_again(stage: Any, layer: Any) -> Any:
-    """Return the stage with one layer more, the strongest; the caller's stage does not know it."""
+    """Return a second stage over the same layers, with `layer` as the strongest; the caller's stage is unchanged."""
     from pxr import Sdf, Usd
 
     session = Sdf.Layer.CreateAnonymous("session.usda")
@@ -42,7 +42,7 @@ def _opened_again(stage: Any, layer: Any) -> Any:
 
 
 def _skinned(roots: list[Any]) -> list[Any]:
-    """Return the paths of what holds skeletons and their meshes, above or below some prims."""
+    """Return the paths of the UsdSkel roots above or below some prims."""
     from pxr import Usd, UsdSkel
 
     found: list[Any] = []
@@ -55,7 +55,7 @@ def _skinned(roots: list[Any]) -> list[Any]:
 
 
 def _bake(stage: Any, root: Any) -> None:
-    """Give the meshes points: at each frame that is played, as joints turn and points between two keys go on arcs."""
+    """Write the points of the meshes at each frame of the stage, as joints turn and points go on arcs between keys."""
     from pxr import Usd, UsdSkel
 
     cache, root = UsdSkel.Cache(), UsdSkel.Root(root)

@@ -1,4 +1,4 @@
-"""The frames of a USD stage."""
+"""The times of the frames of a USD stage."""
 
 from __future__ import annotations
 
@@ -12,11 +12,10 @@ _MOST_FRAMES = 10_000_000
 
 
 def frame_times(stage: Any, meshes: list[Any]) -> list[Any]:
-    """Return the times at which points or transforms of a mesh are written; the default where none are.
+    """Return the times at which points or transforms of a mesh are written; the default time if there are none.
 
-    Between two of them the stage interpolates, points on straight lines. What turns, grows or goes by a spline does
-    not go straight: where something does, all frames that are played between the first time and the last are taken,
-    too.
+    Between two such times the stage interpolates, and points go straight. If anything turns, scales or follows a
+    spline, points go on curves: then the stage's frames between the first and the last time are added.
     """
     from pxr import Usd
 
@@ -27,7 +26,7 @@ def frame_times(stage: Any, meshes: list[Any]) -> list[Any]:
 
 
 def played(stage: Any, times: list[float]) -> list[float]:
-    """Return these sorted times, and between the first and the last also those of the frames that are played."""
+    """Return these sorted times, and those of the stage's frames (framesPerSecond) between the first and the last."""
     if len(times) < 2:
         return times
     rate, codes = stage.GetFramesPerSecond(), stage.GetTimeCodesPerSecond()
@@ -49,11 +48,11 @@ def _written(stage: Any, mesh: Any) -> list[float]:
 
 def _has_spline(op: Any) -> bool:
     attribute = op.GetAttr()
-    return hasattr(attribute, "HasSpline") and bool(attribute.HasSpline())  # as from usd-core 24.11 on
+    return hasattr(attribute, "HasSpline") and bool(attribute.HasSpline())  # usd-core has splines from 24.11 on
 
 
 def _times_of_spline(stage: Any, op: Any) -> set[float]:
-    """Return the times of its knots; and, as it may go on before and behind them, those between which it is played."""
+    """Return the times of a spline's knots, and the stage's start and end: it may extrapolate beyond the knots."""
     if not _has_spline(op):
         return set()
     spline = op.GetAttr().GetSpline()
@@ -62,12 +61,12 @@ def _times_of_spline(stage: Any, op: Any) -> set[float]:
 
 
 def _bends(op: Any) -> bool:
-    kind = op.GetOpName().split(":")[1]  # of xformOp:translate, !invert!xformOp:translate:pivot
+    kind = op.GetOpName().split(":")[1]  # the name is such as xformOp:translate or !invert!xformOp:translate:pivot
     return _has_spline(op) or not kind.startswith("translate")
 
 
 def _ops_above(mesh: Any) -> list[Any]:
-    """Return the operations that place a mesh: its own and those of the prims above it."""
+    """Return the transform operations that place a mesh: its own and those of the prims above it."""
     from pxr import UsdGeom
 
     ops, prim = [], mesh.GetPrim()

@@ -1,1 +1,1 @@
-"""The detector: questions of steps, step lengths, poses at rest."""
+"""The detector: questions about motion, step lengths, and meshes at rest."""

@@ -11,38 +11,42 @@ from tamis._tables._near import Intersections, NearPairs
 
 
 class AtRest:
-    """What is near, and what passes through each other; part of `Detector`."""
+    """Questions about one pose: which features are near each other, which intersect; a base of `Detector`."""
 
     __slots__ = ()
     _detector: _core.Detector
 
     def pairs_within(self, positions: npt.ArrayLike, distance: float) -> NearPairs:
-        """Find every pair of features that is near at rest: what a barrier or penalty method starts from.
+        """Find every pair of features that are near each other in one pose: the input of a barrier or penalty method.
 
         Parameters
         ----------
         positions : array_like, shape (n, 3)
             Where each vertex is.
         distance : float
-            >= 0, in the unit of the positions; the radii of both features are added.
+            >= 0, in the unit of the positions: pairs at most this far apart count. The radii of both features are
+            added to it.
 
         Returns
         -------
         NearPairs
-            Each pair once, by kind, then vertices.
+            Each pair once, sorted by kind, then vertices. It may hold some pairs that are farther apart, by less than
+            the error of `NearPair.distance`.
 
         Raises
         ------
         InvalidOptions
             The distance is negative or not finite.
+        InvalidStep
+            Positions that do not fit the mesh, or are not finite.
         """
         return NearPairs(self._detector.pairs_within(rows(positions, "positions"), number(distance, "distance")))
 
     def intersections(self, positions: npt.ArrayLike) -> Intersections:
-        """Find every edge that passes through a triangle or touches it: exactly.
+        """Find every edge that passes through a triangle or touches it, and shares no vertex with it. Decided exactly.
 
-        Without triangles there is nothing to find: of curves in the plane that cross each other ask ``contacts(x, x)``,
-        which lists every pair that touches at x.
+        A mesh without triangles has no intersections. For curves in the plane that cross each other ask
+        ``contacts(x, x)``, which lists every pair that touches at x.
 
         Parameters
         ----------
@@ -52,14 +56,21 @@ class AtRest:
         Returns
         -------
         Intersections
-            By edge, then face. Groups and `rings` leave out pairs; `filter`, radii and separation play no part.
+            Sorted by edge, then face. `groups` with `may_touch`, and `rings`, leave out pairs; `filter`, `radii` and
+            `min_separation` do not count.
+
+        Raises
+        ------
+        InvalidStep
+            Positions that do not fit the mesh, or are not finite.
         """
         return Intersections(self._detector.intersections(rows(positions, "positions")))
 
     def has_intersection(self, positions: npt.ArrayLike) -> bool:
-        """Tell whether any edge passes through a triangle or touches it: whether this is no pose to start from.
+        """Tell whether any edge passes through a triangle or touches it.
 
-        Of curves in the plane ask ``is_free(x, x)``, as `intersections` says.
+        No simulation should start from such a pose. Decided exactly; ends at the first intersection. For curves in the
+        plane ask ``is_free(x, x)``.
 
         Parameters
         ----------
@@ -69,6 +80,11 @@ class AtRest:
         Returns
         -------
         bool
-            Exact. Ends at the first.
+            Whether `intersections` has a row.
+
+        Raises
+        ------
+        InvalidStep
+            Positions that do not fit the mesh, or are not finite.
         """
         return self._detector.has_intersection(rows(positions, "positions"))

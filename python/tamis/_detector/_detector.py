@@ -23,47 +23,62 @@ from tamis._tables._contacts import Contacts
 class Detector(InMotion, StepLengths, AtRest):
     """Holds a mesh and the hierarchy over it; keep one for all steps of a mesh.
 
-    The first question builds the hierarchy; later ones refit it, and rebuild it by themselves once that pays. Pairs are
-    vertex-face and edge-edge, of loose edges and points also vertex-edge and vertex-vertex; their features have no
-    common vertex. The answers do not depend on the number of threads, on the machine, or on earlier questions.
+    The first question builds the hierarchy; later questions refit it, and rebuild it once refitting has made it poor.
+    Pairs are vertex-face and edge-edge; with loose edges and points also vertex-edge and vertex-vertex. Features with a
+    common vertex are no pair. The answers do not depend on the number of threads, on the machine, or on earlier
+    questions.
 
     Questions take positions at the start and at the end of a step, shape (n, 3), one row a vertex; each vertex moves on
-    a straight line. Doubles whose rows are contiguous, at any positive distance from each other, are read where they
-    are; anything else that NumPy can convert is copied once. `contacts`, `earliest` and `is_free` take a `Path` in
-    place of both, for curved motion. Other Python threads run meanwhile, Ctrl-C ends a question, and a second question
-    at the same time raises `Busy`. Every question raises `InvalidStep` for positions that do not fit the mesh or are
-    not finite, `InvalidPath` for a path that does not fit or breaks its promises.
+    a straight line. Float64 arrays whose rows are contiguous, at any positive distance from each other, are read in
+    place; anything else that NumPy can convert is copied once. For motion on curves, `contacts`, `earliest` and
+    `is_free` take a `Path` in place of start and end.
+
+    Other Python threads run during a question, and Ctrl-C ends it. A second question at the same time raises `Busy`.
+    Every question raises `InvalidStep` for positions that do not fit the mesh or are not finite, and `InvalidPath` for
+    a path that does not fit the mesh or breaks its promises.
 
     Parameters
     ----------
     mesh : Mesh
-        What moves.
+        The mesh that moves.
     threads : int
-        To use; 0: all. Speed only.
+        The number of threads to use, >= 0; 0: all. Changes speed only.
     min_separation : float
-        d >= 0 in the unit of the positions: contact means Euclidean distance <= d. A question may bring its own.
+        d >= 0, in the unit of the positions: contact means Euclidean distance <= d. A question may have its own.
     isa : str
-        Instruction set: "best", "baseline", "avx2", "avx512". Speed only.
+        Instruction set: "best", "baseline", "avx2", "avx512". Changes speed only.
     groups : array_like of int, shape (n,), optional
-        The object that each vertex belongs to, from 0; a feature belongs to the group of its first vertex.
+        The group of each vertex, >= 0, such as the object it belongs to. A feature has the group of its first vertex.
     may_touch : array_like of bool, shape (g, g), optional
-        Symmetric; False leaves out the pairs of two groups. ``~np.eye(g, dtype=bool)``: no self-contact.
+        Symmetric; False leaves out the pairs of these two groups. ``~np.eye(g, dtype=bool)``: no self-contact.
     radii : array_like of float, shape (g,), optional
         A radius >= 0 for each group: contact means a distance of at most `min_separation` plus both radii.
     filter : callable, optional
-        ``filter(kind, vertices)`` returns True for a pair that counts, False for one to leave out. It is called for
-        every pair that groups leave, from several threads, one at a time: slow, a microsecond a pair. Groups cost
-        nothing.
+        ``filter(kind, vertices)`` returns True for a pair that counts, False for a pair to leave out; any other answer
+        raises `InvalidOptions`. It is called for every pair that the groups do not leave out, from several threads,
+        one at a time. A call takes a microsecond; groups cost nothing.
     rings : int
-        Leaves out pairs whose features are fewer than this many edges apart, along the mesh; 1: those with a common
-        vertex. Looked at last, and only for pairs that would be in an answer.
+        >= 1: leaves out pairs whose features are fewer than this many edges apart along the mesh. 1 leaves out pairs
+        with a common vertex, which never count. Tested last, only for pairs that would be in the answer.
     is_cancelled : callable, optional
-        Asked some 20 times a second during a question; True ends it with `Cancelled`.
+        ``is_cancelled()`` is called some 20 times a second during a question. It returns True to end the question with
+        `Cancelled`, else False; any other answer raises `InvalidOptions`.
 
     Raises
     ------
+    InvalidMesh
+        `mesh` is no `Mesh`.
     InvalidOptions
-        An option outside its range, an unknown name, or groups that do not fit the mesh.
+        An option outside its range, an unknown name, an instruction set that this machine lacks, or groups or radii
+        that do not fit the mesh or each other.
+
+    Examples
+    --------
+    >>> mesh = Mesh([[0, 1, 2]], points=[3], vertex_count=4)  # a triangle and a loose point
+    >>> start = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.2, 0.2, 1.0]])
+    >>> end = start - [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 4]]
+    >>> Detector(mesh).contacts(start, end)
+    Contacts(1 vertex-face; first at 0.25)
     """
 
     __slots__ = ("_description", "_detector", "_mesh", "_options")
@@ -101,12 +116,12 @@ class Detector(InMotion, StepLengths, AtRest):
 
     @property
     def mesh(self) -> Mesh:
-        """What moves."""
+        """The mesh that moves."""
         return self._mesh
 
     @property
     def statistics(self) -> Statistics:
-        """What the last question cost."""
+        """The cost of the last question."""
         return Statistics(**self._detector.statistics())
 
     def __repr__(self) -> str:
@@ -117,7 +132,7 @@ class Detector(InMotion, StepLengths, AtRest):
 
 
 def contacts(faces: npt.ArrayLike, start: npt.ArrayLike, end: npt.ArrayLike, **options: Any) -> Contacts:
-    """Find every contact of one step of a triangle mesh. For more than one step keep a `Detector`.
+    """Find every contact of one step of a triangle mesh. For more than one step, keep a `Detector`.
 
     Parameters
     ----------
@@ -126,12 +141,17 @@ def contacts(faces: npt.ArrayLike, start: npt.ArrayLike, end: npt.ArrayLike, **o
     start, end : array_like, shape (n, 3)
         Where each vertex is at the start and at the end of the step.
     **options
-        As of `Detector`.
+        As in `Detector`.
 
     Returns
     -------
     Contacts
-        By kind, then vertices.
+        Sorted by kind, then vertices.
+
+    Raises
+    ------
+    InvalidMesh, InvalidStep, InvalidOptions
+        As in `Mesh`, `Detector.contacts` and `Detector`.
     """
     first = rows(start, "start")
     return Detector(Mesh(faces, vertex_count=len(first)), **options).contacts(first, end)

@@ -1,4 +1,4 @@
-"""Questions to a detector about contacts of a step, or of a path."""
+"""Questions to a detector about the contacts of a step or a path."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from tamis._tables._contacts import Contacts
 
 
 class InMotion:
-    """Which contacts there are, which is the first, and whether there is any; part of `Detector`."""
+    """Questions about motion: all contacts, the first one, whether there is any; a base of `Detector`."""
 
     __slots__ = ()
     _mesh: Mesh
@@ -52,33 +52,41 @@ class InMotion:
         at_start: AtStart = "report",
         tolerance: float | None = None,
     ) -> Contacts:
-        """Find every contact of a step, or of a path.
+        """Find every contact of a step or a path.
 
         Parameters
         ----------
         start, end : array_like, shape (n, 3)
-            Where each vertex is at the start and at the end of the step. Or a `Path` alone: curved motion.
+            Where each vertex is at the start and at the end of the step. Or a `Path` alone, for motion on curves.
         min_separation : float, optional
-            Of this question alone; by default the detector's.
+            >= 0, in place of the detector's for this question alone.
         at_start : str
-            What becomes of pairs that touch at the start of a step, whose distance there is at most `min_separation`
-            plus both radii. "report": they are contacts at t=0. "ignore": they count once they have come apart, so
-            that one that never comes apart, or never comes back, is no contact (`Statistics.ignored`). "fail":
-            `InvalidStep` names the first of them. On a path a pair that cannot be told from one that touches is
-            taken for one.
+            How to count pairs that touch at t=0: whose distance there is at most `min_separation` plus both radii.
+            "report": they are contacts at t=0. "ignore": such a pair is a contact only when it touches again after it
+            has come apart; `Statistics.ignored` counts the pairs that never do. "fail": raise `InvalidStep`, which
+            names the first such pair. On a path, a pair counts as touching at t=0 if it cannot be proven apart there.
         tolerance : float, optional
-            Of a path: widest bracket of a contact, in (0, 1], a fraction of the step; by default 1e-9.
+            Only for a path: the widest bracket of a contact, a fraction of the step in (0, 1]; by default 1e-9.
 
         Returns
         -------
         Contacts
-            By kind, then vertices; `Contacts.view` shows them. On a path, what cannot be decided (a touch
-            without crossing, say) is a contact that is not certified.
+            Sorted by kind, then vertices; `Contacts.view` shows them. A pair on a path that cannot be decided, such as
+            a touch without crossing, is a contact that is not certified.
+
+        Raises
+        ------
+        InvalidStep
+            Positions that do not fit the mesh or are not finite; with "fail", a pair that touches at t=0.
+        InvalidPath
+            A path that does not fit the mesh or breaks its promises.
+        InvalidOptions
+            An option outside its range, or a tolerance for a step.
         """
         return self._contacts_of(motion(start, end, tolerance), query_options(min_separation, at_start, tolerance))
 
     def _contacts_of(self, moving: Motion, own: _core.QueryOptions) -> Contacts:
-        """Ask the same without a look at what is given."""
+        """Answer `contacts` for arguments that are already checked."""
         found = self._detector.contacts(own, *moving.native())
         return Contacts(found, Asked(self._mesh._mesh, self._options, moving, own))
 
@@ -110,17 +118,22 @@ class InMotion:
         at_start: AtStart = "report",
         tolerance: float | None = None,
     ) -> EarliestContact:
-        """Find the first contact: how far the step, or the path, may go. `truncate` says to which positions.
+        """Find the first contact: how far the step or the path may go. `truncate` returns positions to go to.
 
         Parameters
         ----------
         start, end, min_separation, at_start, tolerance
-            As of `contacts`.
+            As in `contacts`.
 
         Returns
         -------
         EarliestContact
-            The motion is free before its `toi_lower`: proven.
+            The motion is free before its `toi_lower`, proven.
+
+        Raises
+        ------
+        InvalidStep, InvalidPath, InvalidOptions
+            As in `contacts`.
         """
         own = query_options(min_separation, at_start, tolerance)
         return earliest_of(self._detector.earliest(own, *motion(start, end, tolerance).native()))
@@ -153,17 +166,22 @@ class InMotion:
         at_start: AtStart = "report",
         tolerance: float | None = None,
     ) -> bool:
-        """Tell whether the whole step, or the whole path, is free of contacts.
+        """Tell whether the whole step or path is free of contacts.
 
         Parameters
         ----------
         start, end, min_separation, at_start, tolerance
-            As of `contacts`.
+            As in `contacts`.
 
         Returns
         -------
         bool
-            True is a proof. On a path False may be due to a contact that is not certified.
+            True is a proof. On a path, False may be due to a contact that is not certified.
+
+        Raises
+        ------
+        InvalidStep, InvalidPath, InvalidOptions
+            As in `contacts`.
         """
         own = query_options(min_separation, at_start, tolerance)
         return self._detector.is_free(own, *motion(start, end, tolerance).native())

@@ -13,7 +13,7 @@ from tamis._options import AtStart
 
 
 class StepLengths:
-    """How far all vertices may go, and how far each; part of `Detector`."""
+    """Questions about step lengths: how far all vertices may go, and how far each; a base of `Detector`."""
 
     __slots__ = ()
     _detector: _core.Detector
@@ -29,31 +29,34 @@ class StepLengths:
     ) -> SafeStep:
         """Find how far the step may go so that every pair keeps a fraction of its distance.
 
-        The step length for the line search of a barrier method. The distance that counts is what exceeds the minimum
-        separation. What is proven is said of the straight motion: ``start + t * (end - start)`` is rounded, and pairs
-        that are a few units in the last place apart there may touch. Ask ``is_free(start, positions)`` of the rounded
-        positions, or `truncate`, whose positions are proven as they are stored.
+        This is the step length for the line search of a barrier method. The distance that counts is what exceeds the
+        minimum separation and both radii. The proof is about the straight motion: ``start + t * (end - start)`` is
+        rounded to doubles, and pairs that are a few units in the last place apart there may touch. So ask
+        ``is_free(start, positions)`` about the rounded positions, or `truncate`, whose positions are proven as they are
+        stored.
 
         Parameters
         ----------
         start, end, min_separation
-            As of `contacts` of a step.
-        at_start : str
-            As of `contacts`. A pair that is ignored has nothing to keep: it ends the step where it touches again.
+            As in `contacts`, for a step.
         keep : float
-            0 <= keep < 1. 0.1 for the line search of a barrier, where the next steps need room; 0.01 and less to
-            come near what is met; 0.5 and more where distances may shrink slowly only. 0: only contacts count. The
-            closer to 1, the longer the search.
+            The fraction to keep, 0 <= keep < 1. Take 0.1 for a barrier's line search, whose next steps need space; 0.01
+            or less if a step should come near what it meets; 0.5 or more if distances may only shrink slowly. 0: only
+            contacts count. The closer to 1, the longer the search takes.
+        at_start : str
+            As in `contacts`. An ignored pair has no distance to keep: it ends the step where it touches again.
 
         Returns
         -------
         SafeStep
-            On [0, lower] every pair keeps the fraction: proven.
+            On [0, lower] every pair keeps the fraction, proven.
 
         Raises
         ------
+        InvalidStep
+            As in `contacts`.
         InvalidOptions
-            `keep` is outside its range.
+            `keep` or another option is outside its range.
         """
         return safe_step_of(self._detector.safe_step(*step_asked_to_keep(start, end, keep, min_separation, at_start)))
 
@@ -67,36 +70,38 @@ class StepLengths:
         at_start: AtStart = "report",
         stored: str = "float64",
     ) -> TruncatedStep:
-        """Find positions to go to, so that every pair keeps a fraction of its distance, and one does not stop all.
+        """Find positions to go to so that every pair keeps a fraction of its distance; near pairs do not stop the rest.
 
-        First all vertices go together, as far as every pair keeps a little more than the fraction. From there each goes
-        on by itself, by a quarter of the mean edge at most, and stays on its own side of planes between the features
-        that it could reach. A pair that starts within the minimum separation may move as long as it comes no nearer;
-        where there is one, no vertex goes farther than a quarter of the mean edge in all.
+        All vertices go together as long as every pair keeps a little more than the fraction. From there each vertex
+        goes on by itself, by at most a quarter of the mean edge, on its own side of planes between the features that it
+        could reach. A pair that starts within the minimum separation may move as long as it comes no nearer; if there
+        is one, no vertex goes farther than that quarter in all.
 
         Parameters
         ----------
         start, end, min_separation
-            As of `contacts` of a step.
+            As in `contacts`, for a step.
         keep : float
-            0 < keep < 1, of the distance as far as that exceeds the minimum separation.
+            The fraction to keep, 0 < keep < 1, of the distance as far as it exceeds the minimum separation and both
+            radii.
         at_start : str
-            As of `contacts`. A pair that is ignored may move as it likes, but not apart and back.
+            As in `contacts`. An ignored pair may move freely, but not apart and back.
         stored : str
-            The type of number that you keep positions in: "float64" or "float32". With the latter all positions are
-            values that a float32 has, so that storing them as such changes nothing.
+            The type in which you store positions, "float64" or "float32". With "float32" all positions are values of
+            float32: storing them so changes nothing, and the proof holds for what is stored.
 
         Returns
         -------
         TruncatedStep
-            Positions as doubles: the straight way there is proven.
+            Its positions are doubles. The straight way to them is proven.
 
         Raises
         ------
         InvalidOptions
-            `keep` is outside its range; `stored` is another name.
+            `keep` or another option is outside its range, or `stored` is another name.
         InvalidStep
-            With "float32": `start` has a number that no float32 has, or `end` is beyond all of them.
+            As in `contacts`. With "float32" also if `start` has a number that is no float32, or if `end` is outside
+            their range.
         """
         given = step_asked_to_keep(start, end, keep, min_separation, at_start)
         return TruncatedStep(*self._detector.truncate(*given, _is_float32(stored)))

@@ -1,1 +1,1 @@
-"""Curved motion: rigid bodies, splines, functions."""
+"""Motion on curves: rigid bodies, splines, functions of the user."""

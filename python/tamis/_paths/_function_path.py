@@ -1,4 +1,4 @@
-"""Any motion, by two functions of Python's."""
+"""Paths that two Python functions of the user define."""
 
 from __future__ import annotations
 
@@ -18,28 +18,41 @@ Deviations = Callable[[float, float, Indices], npt.ArrayLike]
 
 
 class FunctionPath(Path):
-    """Any motion, by two functions. Every answer is as true as what they promise.
+    """Any motion, defined by two functions. Answers are only as true as the bounds that these return.
 
-    They are asked from several threads, one at a time; an exception that one raises arrives at the caller. Slow: some
-    microseconds a call, several calls a pair.
+    The functions are called from several threads, one call at a time; an exception in one reaches the caller of the
+    question. This is slow: some microseconds a call, several calls a pair.
 
     Parameters
     ----------
     vertex_count : int
-        Vertices that move.
+        The number of vertices, >= 0.
     points_at : callable
-        ``points_at(time, vertices)`` gives the points of these vertices, shape (n, 3), and their errors, shape (n,) or
-        one number: no coordinate is off by more than that. What rounding does to the function is part of it.
+        ``points_at(time, vertices)``, `time` in [0, 1] and `vertices` an array of int32, shape (n,), returns the points
+        of these vertices, shape (n, 3), and their errors, shape (n,) or one number. No coordinate may be off by more
+        than the error, the function's own rounding included.
     deviations : callable
-        ``deviations(start, end, vertices)`` gives a bound for each vertex, shape (n,) or one number: at no time t
-        between the two is it farther than that from its chord, walked at constant speed. It must go to zero with the
-        piece; for smooth curves a bound of |x''| (end - start)^2 / 8 will do.
+        ``deviations(start, end, vertices)`` returns a bound for each vertex, shape (n,) or one number: its greatest
+        distance, at any time between the two, from the point that goes along its chord at constant speed. The bound
+        must go to zero as the piece gets shorter; for smooth curves take |x''| (end - start)^2 / 8.
 
     Raises
     ------
     InvalidPath
-        The number of vertices is negative. Later, of every question: an answer of another shape, a bound that is
-        negative or no number, a position that is not finite.
+        `vertex_count` is negative, or a function cannot be called. Questions raise it if a function returns an array of
+        another shape, a bound that is negative or NaN, or a position that is not finite.
+
+    Examples
+    --------
+    Vertices that fall with the acceleration 2: the second derivative has the length 2.
+
+    >>> rest = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    >>> def points_at(time, vertices):
+    ...     return rest[vertices] - [0, 0, time**2], 1e-15
+    >>> def deviations(start, end, vertices):
+    ...     return 2 * (end - start) ** 2 / 8 * (1 + 1e-15)
+    >>> FunctionPath(3, points_at, deviations).points_at(0.5)[0]
+    array([ 0.  ,  0.  , -0.25])
     """
 
     __slots__ = ("_deviations", "_points_at", "_vertex_count")
@@ -52,7 +65,7 @@ class FunctionPath(Path):
         )
 
     def _native(self) -> _core.Path:
-        # Made anew for each question, so that Python's garbage collector sees all that refers to the functions.
+        # Made anew for each question: a compiled path that is kept would hide its functions from the garbage collector.
         return _core.FunctionPath(self._vertex_count, self._checked_points, self._checked_deviations)
 
     def _checked_points(self, time: float, vertices: Indices) -> tuple[Doubles, Doubles]:

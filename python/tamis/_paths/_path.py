@@ -1,4 +1,4 @@
-"""Curved motion: what all paths have in common, and the ready-made ones along polynomials."""
+"""The base of all paths, and paths on polynomials."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from tamis._errors import InvalidPath
 
 
 class Path(abc.ABC):
-    """How all vertices move for t in [0, 1], on curves: what `Detector.contacts` takes in place of start and end.
+    """How all vertices move for t in [0, 1], on curves. `Detector.contacts` takes it in place of start and end.
 
-    Ready-made: `RigidPath`, `BezierPath`, `CatmullRomPath`. Any other motion: `FunctionPath`.
+    Ready-made: `RigidPath`, `BezierPath`, `CatmullRomPath`. For any other motion: `FunctionPath`.
     """
 
     __slots__ = ()
 
     @abc.abstractmethod
     def _native(self) -> _core.Path:
-        """Return what the compiled part asks."""
+        """Return the compiled part's path."""
 
     @property
     def vertex_count(self) -> int:
-        """Vertices that move on it."""
+        """The number of vertices."""
         return self._native().vertex_count
 
     def points_at(self, time: float) -> Doubles:
-        """Where the vertices are at a time in [0, 1], shape (n, 3), rounded."""
+        """Return where the vertices are at `time` in [0, 1], rounded to doubles, shape (n, 3). Raises `InvalidPath`."""
         moment = number(time, "time", InvalidPath)
         if not 0 <= moment <= 1:
             raise InvalidPath(f"time is {moment}: give a number in [0, 1]")
@@ -41,7 +41,7 @@ class Path(abc.ABC):
 
 
 class CompiledPath(Path):
-    """A path that the compiled part has a class for."""
+    """A path that is compiled: subclasses set `_path`."""
 
     __slots__ = ("_path",)
     _path: _core.Path
@@ -56,7 +56,7 @@ class BezierPath(CompiledPath):
     Parameters
     ----------
     control_points : array_like, shape (degree + 1, n, 3)
-        The i-th control point of every vertex; at least one.
+        ``control_points[i]`` holds the i-th control point of every vertex; at least one.
 
     Raises
     ------
@@ -71,20 +71,20 @@ class BezierPath(CompiledPath):
 
 
 class CatmullRomPath(CompiledPath):
-    """Through a sequence of frames at equal distances of time, smoothly.
+    """Through frames at equal distances of time, smoothly.
 
-    Between any two frames a cubic; its slope at a frame is (next - previous) / 2, at the first and the last one that of
-    the chord.
+    A cubic between two frames, with the slope (next - previous) / 2 at each frame; at the first and the last frame the
+    slope is that of the chord.
 
     Parameters
     ----------
-    frames : array_like, shape (frames, n, 3)
-        Where each vertex is at t = i / (frames - 1); at least two.
+    frames : array_like, shape (f, n, 3)
+        ``frames[i]`` holds where each vertex is at t = i / (f - 1); f >= 2.
 
     Raises
     ------
     InvalidPath
-        Another shape, less than two frames, or numbers that are not finite.
+        Another shape, fewer than two frames, or numbers that are not finite.
     """
 
     __slots__ = ()

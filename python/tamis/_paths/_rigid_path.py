@@ -1,4 +1,4 @@
-"""Rigid bodies that turn, and chains of such motions."""
+"""Paths of rigid bodies, their poses, and the chains of links that move them."""
 
 from __future__ import annotations
 
@@ -22,18 +22,19 @@ class RigidPath(CompiledPath):
     rest : array_like, shape (n, 3)
         Each vertex in its body's own frame.
     body_of_vertex : array_like of int, shape (n,)
-        The body of each vertex, from 0.
+        The body of each vertex, in [0, len(chains)).
     chains : sequence of array_like, shape (links, 4, 3)
-        One a body; a link is position and rotation vector at the start, then at the end, and both go linearly.
-        Outermost first: a point of the body goes through the last link first. See `interpolated`, `turned`, `between`.
+        One chain a body, as `interpolated`, `turned` and `between` return them. The rows of a link are position and
+        rotation vector (axis times angle in radians) at the start, then at the end; both are linear in t. Outermost
+        link first: a point of the body goes through the last link first.
     rest_end : array_like, shape (n, 3), optional
-        Where each vertex is in its body's frame at the end, having gone there straight: a body that deforms while it
-        turns; with a chain of no links, straight motion beside bodies that turn. By default all stay at `rest`.
+        Where each vertex is in its body's frame at the end; it goes there straight. So a body deforms while it turns; a
+        body whose chain has no links, shape (0, 4, 3), moves straight. By default all vertices stay at `rest`.
 
     Raises
     ------
     InvalidPath
-        Sizes that do not fit, or numbers that are not finite.
+        Sizes that do not fit each other, or numbers that are not finite.
     """
 
     __slots__ = ()
@@ -57,26 +58,35 @@ class RigidPath(CompiledPath):
 
 
 def pose_of(rotation: npt.ArrayLike, position: npt.ArrayLike) -> Doubles:
-    """Make poses of rotations as engines keep them, also in float32.
+    """Make poses from rotations as engines keep them, also in float32.
 
     Parameters
     ----------
     rotation : array_like, shape (n, 4), (n, 3, 3) or (n, 3)
-        Quaternions w, x, y, z (of x, y, z, w as SciPy and Bullet have them: ``q[:, [3, 0, 1, 2]]``), matrices by their
-        rows, or rotation vectors: an axis, with the angle in radians as its length. Of quaternions and matrices what is
-        off from a rotation by no more than 1e-4 (|q|^2 - 1, an entry of R R^T - I) becomes the nearest one.
+        Quaternions w, x, y, z (for x, y, z, w, the order of SciPy and Bullet: ``q[:, [3, 0, 1, 2]]``), matrices by
+        rows, or rotation vectors: axis times angle in radians. A quaternion or matrix that is off by rounding, at most
+        1e-4 in |q|^2 - 1 or an entry of R R^T - I, becomes the nearest rotation.
     position : array_like, shape (n, 3)
-        Where each body's origin is. One pose alone: (3,), beside (4,), (3, 3) or (3,).
+        Where each body's origin is. For one pose alone the shape is (3,), with a rotation of (4,), (3, 3) or (3,).
 
     Returns
     -------
-    array, shape (n, 2, 3)
-        Position and rotation vector of each; (2, 3) of one alone.
+    array of float64, shape (n, 2, 3)
+        Position and rotation vector of each pose; shape (2, 3) for one alone.
 
     Raises
     ------
     InvalidPath
-        Shapes that do not fit, numbers that are not finite, or what is farther from a rotation; the message says which.
+        Shapes that do not fit each other, numbers that are not finite, or a rotation that is off by more than that, or
+        a reflection. The message says which.
+
+    Examples
+    --------
+    A quarter turn about z:
+
+    >>> pose_of([0.5**0.5, 0, 0, 0.5**0.5], [1, 2, 3])
+    array([[1.        , 2.        , 3.        ],
+           [0.        , 0.        , 1.57079633]])
     """
     points, is_one = _threes(position, "position")
     turns = numbers(rotation, "rotation", InvalidPath)
@@ -91,17 +101,17 @@ def pose_of(rotation: npt.ArrayLike, position: npt.ArrayLike) -> Doubles:
 
 
 def interpolated(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
-    """Make a chain whose position and rotation vector go linearly from one pose to the other.
+    """Make a chain whose position and rotation vector are linear in t, from one pose to the other.
 
     Parameters
     ----------
     start, end : array_like, shape (2, 3) or (n, 2, 3)
-        Poses, of one body or of n.
+        The poses of one body, or of n bodies.
 
     Returns
     -------
-    array, shape (1, 4, 3) or (n, 1, 4, 3)
-        A chain of one link each.
+    array of float64, shape (1, 4, 3) or (n, 1, 4, 3)
+        For each body a chain of one link.
 
     Raises
     ------
@@ -115,23 +125,24 @@ def interpolated(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
 def turned(
     start: npt.ArrayLike, turn: npt.ArrayLike, end_position: npt.ArrayLike, *, center: npt.ArrayLike | None = None
 ) -> Doubles:
-    """Make a chain that turns at constant speed about a fixed axis while one point of the body goes straight.
+    """Make a chain that turns at constant speed about a fixed axis while the body's `center` goes straight.
 
     Parameters
     ----------
     start : array_like, shape (2, 3) or (n, 2, 3)
-        A pose, or one for each of n bodies.
+        The pose at the start of one body, or of n bodies.
     turn : array_like, shape (3,) or (n, 3)
-        The axis, as long as the angle in radians. Any angle.
+        Axis times angle in radians, in the world's frame. Any angle: 2 pi is a full turn.
     end_position : array_like, shape (3,) or (n, 3)
-        Where that point of the body gets to.
+        Where `center` is at the end.
     center : array_like, shape (3,) or (n, 3), optional
-        That point in the body's frame: engines take the center of mass. By default the origin of the frame.
+        The point that goes straight, in the body's frame: engines take the center of mass. By default the origin of the
+        frame.
 
     Returns
     -------
-    array, shape (2, 4, 3) or (n, 2, 4, 3)
-        A chain of two links each.
+    array of float64, shape (2, 4, 3) or (n, 2, 4, 3)
+        For each body a chain of two links.
 
     Raises
     ------
@@ -150,14 +161,14 @@ def between(start: npt.ArrayLike, end: npt.ArrayLike, *, center: npt.ArrayLike |
     Parameters
     ----------
     start, end : array_like, shape (2, 3) or (n, 2, 3)
-        Poses, of one body or of n.
+        The poses of one body, or of n bodies.
     center : array_like, shape (3,) or (n, 3), optional
-        The point of the body that goes straight, as of `turned`.
+        The point of the body that goes straight, as in `turned`.
 
     Returns
     -------
-    array, shape (2, 4, 3) or (n, 2, 4, 3)
-        A chain of two links each.
+    array of float64, shape (2, 4, 3) or (n, 2, 4, 3)
+        For each body a chain of two links.
 
     Raises
     ------
@@ -169,7 +180,7 @@ def between(start: npt.ArrayLike, end: npt.ArrayLike, *, center: npt.ArrayLike |
 
 
 def pose_at(chain: npt.ArrayLike, time: float) -> Doubles:
-    """Say where a chain takes its body, as after a step of which a part is safe.
+    """Return the pose of a chain's body at `time`, for example after a step that is safe until then.
 
     Parameters
     ----------
@@ -180,8 +191,8 @@ def pose_at(chain: npt.ArrayLike, time: float) -> Doubles:
 
     Returns
     -------
-    array, shape (2, 3) or (n, 2, 3)
-        Position and rotation vector: of one link as it goes, of more links as a turn of at most pi.
+    array of float64, shape (2, 3) or (n, 2, 3)
+        Position and rotation vector. For one link these are linear in time; for more links the rotation is at most pi.
 
     Raises
     ------
@@ -200,18 +211,19 @@ def pose_at(chain: npt.ArrayLike, time: float) -> Doubles:
 
 
 def nlerp_deviation(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
-    """Bound how far engines that blend quaternions and normalize them (nlerp) are from `between`.
+    """Bound how far the motion of engines that blend and normalize quaternions (nlerp) deviates from `between`.
 
     Parameters
     ----------
     start, end : array_like, shape (2, 3) or (n, 2, 3)
-        Poses.
+        The poses of one body, or of n bodies.
 
     Returns
     -------
-    array, shape (n,)
-        A factor for each body: no point is farther from where `between` has it than this times its distance from the
-        center. What is free by `between` with as much separation is free by theirs.
+    array of float64, shape (n,)
+        A factor for each body; n = 1 for one pose. By nlerp no point is ever farther from its place by `between` than
+        this factor times the point's distance from the center. A motion that is free by `between`, with this deviation
+        as additional separation, is free by nlerp.
 
     Raises
     ------
@@ -223,7 +235,7 @@ def nlerp_deviation(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
 
 
 def links_of(given: npt.ArrayLike, name: str) -> Doubles:
-    """Return the links of one chain, (links, 4, 3)."""
+    """Return the links of one chain, shape (links, 4, 3)."""
     links = point_frames(given, name, InvalidPath)
     if links.shape[1] != 4:
         raise InvalidPath(f"{name} has links of {links.shape[1]} rows: give position and rotation, at start and end")
@@ -239,7 +251,7 @@ def _threes(given: npt.ArrayLike, name: str) -> tuple[Doubles, bool]:
 
 
 def _one_or_many(given: npt.ArrayLike, name: str, shape: tuple[int, ...], advice: str) -> tuple[Doubles, bool]:
-    """Return n of this shape, and whether it is one alone."""
+    """Return an array of the shape (n, *shape), and whether one alone was given, without the first dimension."""
     array = numbers(given, name, InvalidPath)
     if array.shape[-len(shape) :] != shape or array.ndim > len(shape) + 1:
         raise InvalidPath(
@@ -250,7 +262,7 @@ def _one_or_many(given: npt.ArrayLike, name: str, shape: tuple[int, ...], advice
 
 
 def _alike(**given: tuple[Doubles, bool]) -> tuple[list[Doubles], bool]:
-    """Return as many of each, and whether that is one alone."""
+    """Return the arrays, which must have the same length, and whether all of them were given as one alone."""
     counts = {name: len(array) for name, (array, _) in given.items()}
     if len(set(counts.values())) > 1:
         raise InvalidPath(f"{', '.join(f'{name} has {n}' for name, n in counts.items())}: give as many of each")
@@ -258,7 +270,7 @@ def _alike(**given: tuple[Doubles, bool]) -> tuple[list[Doubles], bool]:
 
 
 def _centers(given: npt.ArrayLike | None, count: int) -> Doubles:
-    """Return one for each of so many bodies, from one for all, one for each, or none."""
+    """Return a center for each of `count` bodies, from one for all, one for each, or None: the origin."""
     centers, is_one = _threes(np.zeros(3) if given is None else given, "center")
     if not is_one and len(centers) != count:
         raise InvalidPath(f"center has {len(centers)}, start has {count}: give one, or as many")

@@ -1,1 +1,1 @@
-"""What `tamis.distributed` is made of."""
+"""The parts of `tamis.distributed`."""

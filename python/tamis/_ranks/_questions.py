@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class Questions:
-    """Which contacts there are, which is the first, and how far the step may go; part of `Detector`."""
+    """The questions of `tamis.distributed.Detector`, of which this is a base. All are collective."""
 
     __slots__ = ()
     _lock: threading.Lock
@@ -38,32 +38,35 @@ class Questions:
         min_separation: float | None = None,
         at_start: AtStart = "report",
     ) -> Contacts:
-        """Find every contact of a step, each on one rank.
+        """Find every contact of a step. Each contact is in the answer of one rank.
 
         Parameters
         ----------
         start, end : array_like, shape (n, 3)
             Where this rank's `vertices` are at the start and at the end of the step.
         min_separation : float, optional
-            Of this question alone; by default the detector's.
+            >= 0, in place of the detector's for this question alone.
         at_start : str
-            As of `tamis.Detector.contacts`: "report" or "ignore".
+            "report" or "ignore", as in `tamis.Detector.contacts`.
 
         Returns
         -------
         Contacts
-            Those whose first vertex this rank gives (of several ranks, the lowest), by kind, then vertices.
+            The contacts whose first vertex this rank gives (if several ranks do, the lowest of them), sorted by kind,
+            then vertices.
 
         Raises
         ------
         InvalidStep
             Positions that do not fit the vertices, are not finite, or differ between ranks.
+        InvalidOptions
+            An option outside its range, or one that differs between ranks.
         """
         with self._turn():
             return Contacts(self._detector.contacts(*self._asked(start, end, min_separation, at_start)))
 
     def gather_contacts(self, root: int = 0) -> Contacts:
-        """Bring the contacts of the last such question to one rank. Collective.
+        """Bring the contacts of the last `contacts` to one rank.
 
         Parameters
         ----------
@@ -73,7 +76,7 @@ class Questions:
         Returns
         -------
         Contacts
-            Of all ranks, in the order of `tamis.Detector`; none on the other ranks.
+            On `root` the contacts of all ranks, in the order of `tamis.Detector`; on the other ranks none.
 
         Raises
         ------
@@ -96,12 +99,12 @@ class Questions:
         Parameters
         ----------
         start, end, min_separation, at_start
-            As of `contacts`.
+            As in `contacts`.
 
         Returns
         -------
         EarliestContact
-            The motion is free before its `toi_lower`: proven.
+            The motion is free before its `toi_lower`, proven.
         """
         with self._turn():
             return earliest_of(self._detector.earliest(*self._asked(start, end, min_separation, at_start)))
@@ -119,7 +122,7 @@ class Questions:
         Parameters
         ----------
         start, end, min_separation, at_start
-            As of `contacts`.
+            As in `contacts`.
 
         Returns
         -------
@@ -143,14 +146,14 @@ class Questions:
         Parameters
         ----------
         start, end, min_separation, at_start
-            As of `contacts`.
+            As in `contacts`.
         keep : float
-            0 <= keep < 1; which, `tamis.Detector.safe_step` says. 0: only contacts count.
+            The fraction to keep, 0 <= keep < 1, as in `tamis.Detector.safe_step`. 0: only contacts count.
 
         Returns
         -------
         SafeStep
-            On [0, lower] every pair keeps the fraction: proven.
+            On [0, lower] every pair keeps the fraction, proven.
 
         Raises
         ------

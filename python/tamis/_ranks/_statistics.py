@@ -1,4 +1,4 @@
-"""What a question of `tamis.distributed.Detector` cost."""
+"""The cost of the last question of `tamis.distributed.Detector`."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ __all__ = ["Balance", "Statistics"]
 
 @dataclass(frozen=True)
 class Statistics:
-    """What the last question cost this rank.
+    """The cost of the last question on this rank.
 
     Attributes
     ----------
     owned, borrowed : int
-        Elements (a triangle with its edges and corners, a loose edge, a loose point) that are this rank's to search,
-        and those that others sent because boxes meet.
+        The number of elements (a triangle with its edges and corners, a loose edge, a loose point) that this rank
+        searches, and of those that other ranks sent to it because boxes meet.
     pairs_tested : int
-        Pairs of features whose boxes meet, some of them in two searches.
+        Pairs of features whose boxes meet; some count twice, in two searches.
     boxes : int
-        Moving boxes of all ranks, which every rank has.
+        Moving boxes of all ranks together; every rank has all of them.
     messages_sent, bytes_sent : int
-        Collective operations included.
+        Sent by this rank, collective operations included.
     decomposed_anew : bool
-        Work was shared out anew.
+        Whether this question divided the elements among the ranks anew.
     seconds : mapping of str to float
-        Wall-clock time of positions, decompose, borrow, interior, border, deliver, and the total; with waiting.
+        Wall-clock seconds of positions, decompose, borrow, interior, border, deliver, and the total; waiting included.
     """
 
     owned: int
@@ -41,7 +41,15 @@ class Statistics:
 
 @dataclass(frozen=True)
 class Balance:
-    """Largest over mean, of all ranks: 1 where work is shared evenly."""
+    """How evenly ranks share the work: the largest number of a rank over the mean of all ranks; 1 is even.
+
+    Attributes
+    ----------
+    pairs : float
+        Of `Statistics.pairs_tested`.
+    owned : float
+        Of `Statistics.owned`.
+    """
 
     pairs: float
     owned: float

@@ -1,4 +1,4 @@
-"""What ranks do together: a communicator of their own comes and goes, and what one of them raises is raised on all."""
+"""A communicator of a detector's own, duplicated and freed; and errors of one rank, which all ranks raise."""
 
 from __future__ import annotations
 
@@ -15,15 +15,18 @@ from tamis._checks import instance
 from tamis._errors import Error
 
 _Result = TypeVar("_Result")
-_Name = tuple[bytes, int]  # the same on all ranks of a communicator, and of no other; and how many these are
+_Name = tuple[bytes, int]  # of a communicator: bytes that are the same on its ranks alone, and the number of these
 
-# Communicators that this rank uses no more. They are not freed at once: memory may be collected while mpi4py holds the
-# lock that freeing takes, and on each rank at another time, while freeing is collective.
+# Communicators that this rank no longer uses. They are not freed at once. Freeing is collective, but Python collects
+# garbage at another time on each rank; and it may do so while mpi4py holds the lock that freeing takes.
 _left: dict[_Name, MPI.Intracomm] = {}
 
 
 class Ranks:
-    """The ranks of a communicator, which is duplicated, so that messages never meet. All is collective."""
+    """A duplicate of a communicator, so that messages never mix with those of others. All calls are collective.
+
+    Making one frees the duplicates that all of their ranks have dropped.
+    """
 
     __slots__ = ("__weakref__", "comm")
 
@@ -34,7 +37,7 @@ class Ranks:
         _free(name for _, names in said for name in names)
 
     def together(self, work: Callable[[], _Result]) -> _Result:
-        """Do what this rank does alone; where any has failed, all raise what the lowest did."""
+        """Return the result of `work`, which each rank does alone. If it fails on any, all raise the lowest's error."""
         result, failure = _outcome_of(work)
         first = self.comm.allreduce(self.comm.size if failure is None else self.comm.rank, op=MPI.MIN)
         if first == self.comm.size:
@@ -44,7 +47,7 @@ class Ranks:
 
 
 def _free(left: Iterable[_Name]) -> None:
-    """Free, in the same order everywhere, the communicators that all of their ranks have named, and so use no more."""
+    """Free the communicators that all of their ranks have named, in the same order on each rank."""
     counts = Counter(left)
     for name in sorted(counts):
         comm = _left.pop(name, None) if counts[name] == name[1] else None
@@ -60,7 +63,7 @@ def _outcome_of(work: Callable[[], _Result]) -> tuple[_Result | None, Exception 
 
 
 def _report_of(failure: Exception) -> tuple[str, str]:
-    """Return the name of the class to raise, one of `tamis`, and the sentence."""
+    """Return the name of the class of `tamis` to raise, and the sentence."""
     if isinstance(failure, Error):
         return type(failure).__name__, str(failure)
     said, raised_again = _outcome_of(lambda: str(failure))

@@ -1,1 +1,1 @@
-"""Answers as tables of columns: contacts, near pairs, and what they share."""
+"""Answers as tables of columns: contacts, near pairs, intersections."""

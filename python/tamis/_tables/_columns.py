@@ -1,4 +1,4 @@
-"""What tables of pairs have in common: their columns, and what follows from these."""
+"""Bases of tables of pairs: their common columns, and what is computed from these."""
 
 from __future__ import annotations
 
@@ -22,26 +22,26 @@ Columns = dict[str, npt.NDArray[Any]]
 
 
 def numbered(letter: str, array: npt.NDArray[Any], numbers: str = "0123") -> Columns:
-    """Make a column of each of an array's: v0, v1, ..., or nx, ny, nz."""
+    """Return the columns of an array (n, k) by name: v0, v1, ..., or nx, ny, nz."""
     return {letter + number: array[:, i] for i, number in enumerate(numbers[: array.shape[1]])}
 
 
 class FeaturePairs(Table[Row]):
-    """Pairs of features with a point on each."""
+    """Pairs of features, with the weights of a point on each feature."""
 
     __slots__ = ()
 
-    kind = Column[npt.NDArray[np.uint8]]("`PairKind` of each, shape (n,).")
+    kind = Column[npt.NDArray[np.uint8]]("The `PairKind` of each pair, shape (n,).")
     vertices = Column[Indices]("Vertex indices, shape (n, 4), ordered as in `Contact`.")
     u = Column[Doubles]("First weight, as in `Contact`, shape (n,).")
     v = Column[Doubles]("Second weight, shape (n,).")
 
     @property
     def weights(self) -> Doubles:
-        """Signed weights of each pair's vertices, shape (n, 4): of the first feature positive, of the second negative.
+        """Signed weights of each pair's vertices, shape (n, 4): the first feature's add up to 1, the second's to -1.
 
         ``np.einsum("ni,nij->nj", pairs.weights, x[pairs.vertices])`` is the vector from the second feature's point to
-        the first's. 0 where a kind has no vertex.
+        the first feature's. Entries that a kind does not use are 0.
         """
         return _core.weights_of(self._kinds(), self.u, self.v)
 
@@ -61,17 +61,18 @@ class NamedPairs(FeaturePairs[Row]):
     __slots__ = ()
 
     def features(self, mesh: Mesh) -> Indices:
-        """Find both features of each pair among those of the mesh: `Mesh.features_of` of all rows.
+        """Find both features of each pair in the mesh: `Mesh.features_of` for all rows.
 
         Parameters
         ----------
         mesh : Mesh
-            The one that was asked about.
+            The mesh of the question.
 
         Returns
         -------
-        array of int, shape (n, 2)
-            Of each feature the row of `Mesh.faces` or of `Mesh.edges`, or the index of a vertex.
+        array of int32, shape (n, 2)
+            For each pair its first and its second feature: for a face its row in `Mesh.faces`, for an edge its row in
+            `Mesh.edges`, for a vertex its index.
 
         Raises
         ------
@@ -83,23 +84,23 @@ class NamedPairs(FeaturePairs[Row]):
 
 
 class TimedPairs(FeaturePairs[Row]):
-    """What pairs do during a step."""
+    """Pairs of features, with the times and normals of their contacts during a step."""
 
     __slots__ = ()
 
     toi_lower = Column[Doubles](
-        "Before this fraction of the step the pair is proven apart, shape (n,); 1 if it is free."
+        "Fraction of the step, shape (n,): before it the pair is proven apart; 1 if the pair is free."
     )
     toi_upper = Column[Doubles](
-        "By this fraction of the step a certified pair has touched, shape (n,); 1 if it is free."
+        "Fraction of the step, shape (n,): until then a certified pair has touched; 1 if the pair is free."
     )
     normal = Column[Doubles](
-        "Unit vectors along which the first feature leaves the second, shape (n, 3): as `Contact.normal`."
+        "Unit vectors, shape (n, 3): the first feature leaves the second along them; as in `Contact.normal`."
     )
 
     @property
     def certified(self) -> npt.NDArray[np.bool_]:
-        """True where touching is proven, False where it is unresolved, as on a path alone, shape (n,)."""
+        """Whether each contact is proven, shape (n,); False where it is unresolved, which happens only on a path."""
         proven: npt.NDArray[np.bool_] = np.equal(self._table["certainty"], 0)
         return proven
 
@@ -112,7 +113,7 @@ class TimedPairs(FeaturePairs[Row]):
 
 
 class MovingPairs(NamedPairs[Row], TimedPairs[Row]):
-    """What pairs of features of one mesh do during a step."""
+    """Pairs of features of one mesh, with their contacts during a step."""
 
     __slots__ = ()
 
@@ -121,16 +122,22 @@ class MovingPairs(NamedPairs[Row], TimedPairs[Row]):
     @overload
     def points(self, start: Path) -> Doubles: ...
     def points(self, start: npt.ArrayLike | Path, end: npt.ArrayLike | None = None) -> Doubles:
-        """Tell where both features of each pair meet, at its `toi_upper`.
+        """Compute where both features of each pair meet, at its `toi_upper`.
 
         Parameters
         ----------
         start, end : array_like, shape (m, 3)
-            Both ends of the step that was asked about. Or its `Path` alone.
+            Where each vertex is at the start and at the end of the step, as in the question. Or its `Path` alone.
 
         Returns
         -------
-        array, shape (n, 2, 3)
-            A point on the first feature and one on the second, by `weights`; a separation lies between them.
+        array of float64, shape (n, 2, 3)
+            A point on the first feature and a point on the second, by `weights`. With a separation they lie that far
+            apart.
+
+        Raises
+        ------
+        InvalidStep, InvalidPath
+            Arrays of another shape, numbers that are not finite, or positions of too few vertices.
         """
         return self._points(motion(start, end).corners(self.toi_upper, self.vertices))

@@ -24,24 +24,26 @@ class Contact(NamedTuple):
     Attributes
     ----------
     kind : PairKind
-        What touches: vertex-face or edge-edge, of loose edges and points also vertex-edge or vertex-vertex.
+        The kind of the pair: vertex-face or edge-edge; with loose edges and points also vertex-edge or vertex-vertex.
     vertices : tuple of four int
-        Vertex-face: the vertex, then the face's vertices in the mesh's order. Edge-edge: each edge ascending, the
-        smaller edge first. Vertex-edge: the vertex, then the edge's. Vertex-vertex: ascending. -1 where a kind has less
-        than four.
+        Vertex-face: the vertex, then the face's vertices in the mesh's order. Edge-edge: the vertices of each edge
+        ascending, the smaller edge first. Vertex-edge: the vertex, then the edge's vertices, ascending. Vertex-vertex:
+        ascending. Entries that a kind does not use are -1.
     toi_lower, toi_upper : float
-        Fractions of the step: the pair is apart on [0, toi_lower); if certified it touches at some time of [toi_lower,
-        toi_upper].
+        Fractions of the step, in [0, 1]. The pair is apart on [0, toi_lower); a certified contact touches at some time
+        of [toi_lower, toi_upper].
     u, v : float
-        Contact weights. Vertex-face: point = (1-u-v) f0 + u f1 + v f2. Edge-edge: u on the first edge, v on the second.
-        Vertex-edge: u on the edge, v is 0. Vertex-vertex: both are 0.
+        Contact weights. Vertex-face: point = (1-u-v) f0 + u f1 + v f2. Edge-edge: u on the first edge, v on the second,
+        each in [0, 1]. Vertex-edge: u on the edge, v is 0. Vertex-vertex: both are 0.
     normal : tuple of three float
-        Of unit length: the direction in which the first feature (the vertex; the first edge) must go, or the second be
-        pushed back, so that they part. With a separation or radii along the closest points at `toi_lower`; else of
-        the face, or of both edges, on the side where the first feature is just before they touch.
+        Unit vector: the direction in which the first feature (the vertex; the first edge) must go, or against which the
+        second must go, so that they part. With a separation or radii, and for vertex-edge and vertex-vertex: from the
+        second feature's closest point to the first's at `toi_lower`. Else the normal of the face, or the cross product
+        of both edges, on the side where the first feature is just before they touch; where there is no such normal, the
+        direction between the closest points.
     certified : bool
-        True: proven to touch. False, on a path alone: floating point could not decide, and a contact must never be
-        missed.
+        True: proven to touch. False, only on a path: arithmetic could not decide; such a pair is kept, because a
+        contact must never be missed.
     """
 
     kind: PairKind
@@ -55,7 +57,7 @@ class Contact(NamedTuple):
 
 
 class TouchingPairs(TimedPairs[Row]):
-    """Pairs of features that touch during a step: of one mesh, or of bodies."""
+    """Contacts during a step: a base of `Contacts` and `BodyContacts`."""
 
     __slots__ = ()
 
@@ -73,11 +75,12 @@ class TouchingPairs(TimedPairs[Row]):
 
 
 class Contacts(MovingPairs[Contact], TouchingPairs[Contact]):
-    """Contacts of a step, by kind, then vertices. They own their memory: later questions change nothing in them.
+    """Contacts of a step or path, sorted by kind, then vertices.
 
-    `len()` counts them; an integer index gives a `Contact`, anything else that indexes an array gives `Contacts`.
-    The columns of `table` are kind, certainty (0: certified, 1: unresolved), vertices, toi_lower, toi_upper, u, v,
-    normal.
+    They own their memory: later questions do not change them.
+
+    `len()` counts the contacts; an integer index gives a `Contact`, any other index of an array gives `Contacts`. The
+    columns of `table` are kind, certainty (0: certified, 1: unresolved), vertices, toi_lower, toi_upper, u, v, normal.
     """
 
     __slots__ = ("_asked",)
@@ -91,22 +94,24 @@ class Contacts(MovingPairs[Contact], TouchingPairs[Contact]):
         self._asked = asked
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a file, as the command's `--out` does: complete or not at all.
+        """Write the contacts to a file, as the command's `--out` does. If that fails, no file is left.
 
         Parameters
         ----------
         path : path_like
             The extension decides. ``.html``, ``.glb``, ``.vtp``, ``.vtu``: files to look at, with the mesh in motion or
-            the contacts as points; they need the step, see `view`, and of a path only ``.html`` can be made. ``.csv``,
-            or no extension: a table with the columns kind, v0, v1, v2, v3, toi_lower, toi_upper, u, v, status,
-            nx, ny, nz; numbers read back to the same doubles.
+            the contacts as points. They need the positions of the step (see `view`); for a path there is only
+            ``.html``. ``.csv``, or no extension: a table with the columns kind, v0, v1, v2, v3, toi_lower, toi_upper,
+            u, v, status, nx, ny, nz, whose numbers read back to the same doubles.
 
         Raises
         ------
         FileError
             The file cannot be written, or its name has another extension.
+        InvalidStep, InvalidPath
+            As in `view`.
         Error
-            As of `view`; and for a picture, ``.png``, which the command draws.
+            As in `view`; or a picture, ``.png``, is asked for, which only the command draws.
         """
         name, rows = file_name(path, "path"), np.ascontiguousarray(self._table).view(np.uint8)
         if name.lower().endswith(".png"):
@@ -117,22 +122,22 @@ class Contacts(MovingPairs[Contact], TouchingPairs[Contact]):
             _core.write_contacts(name, rows)
 
     def view(self, path: str | os.PathLike[str] | None = None) -> Page:
-        """Show the contacts and the motion of the mesh: the page that `tamis view` writes.
+        """Show the contacts and the motion of the mesh on the page that `tamis view` writes.
 
-        A notebook shows it below the cell; elsewhere it opens in the browser. For this, contacts keep the positions
-        that were asked about, without a copy; `table` alone does not. Contacts of a path are shown as a film of
-        straight pieces, so many (64 at the most) that they look like the curves; each in the piece where it happens, at
-        a time of that piece.
+        A notebook shows the page below the cell; elsewhere it opens in the browser. The page needs the positions of the
+        question: `Contacts` refer to them without a copy, `table` does not. A path is shown as a film of straight
+        pieces, at most 64, enough of them to look like the curves; each contact is in the piece where it happens, at a
+        time of that piece.
 
         Parameters
         ----------
         path : path_like, optional
-            Of the page, ending in ``.html``; by default among the temporary files.
+            The name of the page, which ends in ``.html``; by default in a new folder among the temporary files.
 
         Returns
         -------
         Page
-            Its `path` is the file: send it along.
+            Its `path` is the file, which works alone.
 
         Raises
         ------
@@ -141,9 +146,10 @@ class Contacts(MovingPairs[Contact], TouchingPairs[Contact]):
         InvalidStep
             The positions were changed in place since the contacts were found.
         InvalidPath
-            The same of a path.
+            The same for a path.
         Error
-            Contacts that come out of `pickle` know no step.
+            The contacts have no positions: they were pickled, or come from `tamis.distributed`. Or `path` has another
+            ending.
         """
         place = place_for_page(path)
         self.save(place)

@@ -1,4 +1,4 @@
-"""What is said of a mesh at rest: which features are near each other, and which pass through each other."""
+"""Answers about a mesh in one pose: near pairs of features, and intersections."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from tamis._tables._table import Column, Row, Table
 
 
 class NearPair(NamedTuple):
-    """A pair of features that are near each other at rest.
+    """A pair of features that are near each other in one pose.
 
     Attributes
     ----------
@@ -29,12 +29,13 @@ class NearPair(NamedTuple):
     vertices : tuple of four int
         As in `Contact`.
     distance : float
-        Between the closed features, in the unit of the positions; correct to 2^-41 of the pair's extent.
+        The distance between the closed features, in the unit of the positions. Proven: off by at most 2^-41 of the
+        largest |component| of the differences between the pair's vertices.
     u, v : float
         Weights of two closest points, as in `Contact`. A vertex without a share in them has the weight 0.
     direction : tuple of three float
-        Of unit length: from the second feature's closest point to the first's. Where they touch: their normal, or zero
-        where they have none.
+        Unit vector from the second feature's closest point to the first's. If they touch: along the normal if the
+        common point is inside a face or inside two edges, else zero.
     """
 
     kind: PairKind
@@ -46,15 +47,17 @@ class NearPair(NamedTuple):
 
 
 class ClosePairs(FeaturePairs[Row]):
-    """Pairs of features that are near each other at rest: of one mesh, or of bodies."""
+    """Near pairs in one pose: a base of `NearPairs` and `BodyNearPairs`."""
 
     __slots__ = ()
 
     distance = Column[Doubles](
-        "Between the closed features, in the unit of the positions, shape (n,).\n\n"
-        "Correct to 2^-41 of the pair's extent, and where it is no normal double to half the smallest one more."
+        "The distance between the closed features, in the unit of the positions, shape (n,).\n\n"
+        "Off by at most 2^-41 of the pair's extent, and by at most 2^-1075 more below the smallest normal double."
     )
-    direction = Column[Doubles]("Unit vectors from the second feature's closest point to the first's, shape (n, 3).")
+    direction = Column[Doubles](
+        "Unit vectors from the second feature's closest point to the first's, shape (n, 3), as in `NearPair`."
+    )
 
     def _fields(self, values: Sequence[Any]) -> tuple[Any, ...]:
         kind, vertices, distance, u, v, direction = values
@@ -71,11 +74,10 @@ class ClosePairs(FeaturePairs[Row]):
 
 
 class NearPairs(NamedPairs[NearPair], ClosePairs[NearPair]):
-    """Pairs of features that are near each other at rest, by kind, then vertices; arrays of length n.
+    """Pairs of features that are near each other in one pose, sorted by kind, then vertices; arrays of length n.
 
-    `len()` counts them; an integer index gives a `NearPair`, anything else that indexes an array gives `NearPairs`.
-
-    The columns of `table` are kind, vertices, distance, u, v, direction.
+    `len()` counts the pairs; an integer index gives a `NearPair`, any other index of an array gives `NearPairs`. The
+    columns of `table` are kind, vertices, distance, u, v, direction.
     """
 
     __slots__ = ()
@@ -83,32 +85,38 @@ class NearPairs(NamedPairs[NearPair], ClosePairs[NearPair]):
     _record = NearPair
 
     def points(self, positions: npt.ArrayLike) -> Doubles:
-        """Tell where the closest points of each pair are.
+        """Compute the closest points of each pair.
 
         Parameters
         ----------
-        positions : array_like, shape (n, 3)
-            Those that were asked about.
+        positions : array_like, shape (m, 3)
+            The positions of the question.
 
         Returns
         -------
-        array, shape (n, 2, 3)
-            The point on the first feature and that on the second, by `weights`.
+        array of float64, shape (n, 2, 3)
+            The point on the first feature and the point on the second, by `weights`.
+
+        Raises
+        ------
+        InvalidStep
+            An array of another shape, numbers that are not finite, or positions of too few vertices.
         """
         return self._points(corners_at_rest(rows(positions, "positions"), self.vertices, "positions"))
 
 
 class Intersection(NamedTuple):
-    """An edge that passes through a triangle, or touches it.
+    """An edge that passes through a triangle or touches it, and shares no vertex with it.
 
     Attributes
     ----------
     edge, face : tuple of int
-        Vertex indices: of the edge ascending, of the face in the mesh's order.
+        Vertex indices: those of the edge ascending, those of the face in the mesh's order.
     s_lower, s_upper : float
-        The first common point along the edge, from its first vertex, has a parameter between these.
+        The first common point along the edge, from ``edge[0]`` on, has a parameter s in [s_lower, s_upper]: the point
+        is (1-s) e0 + s e1.
     u, v : float
-        Weights of that point in the face, as of a vertex-face `Contact`.
+        Weights of that point in the face, rounded: (1-u-v) f0 + u f1 + v f2.
     """
 
     edge: tuple[int, int]
@@ -120,18 +128,18 @@ class Intersection(NamedTuple):
 
 
 class CrossingPairs(Table[Row]):
-    """Edges with triangles that they pass through or touch: of one mesh, or of bodies."""
+    """Edges with triangles that they pass through or touch: a base of `Intersections` and `BodyIntersections`."""
 
     __slots__ = ()
 
     edge = Column[Indices]("Vertex indices of each edge, ascending, shape (n, 2).")
     face = Column[Indices]("Vertex indices of each triangle, in the mesh's order, shape (n, 3).")
     s_lower = Column[Doubles](
-        "The first common point along the edge has at least this parameter, 0 at its first vertex, shape (n,)."
+        "Lower bound of the first common point's parameter on the edge, 0 at the edge's first vertex, shape (n,)."
     )
-    s_upper = Column[Doubles]("The first common point along the edge has at most this parameter, shape (n,).")
-    u = Column[Doubles]("Weight of the triangle's second vertex in that point, rounded, shape (n,).")
-    v = Column[Doubles]("Weight of the triangle's third vertex in that point, rounded, shape (n,).")
+    s_upper = Column[Doubles]("Upper bound of the first common point's parameter on the edge, shape (n,).")
+    u = Column[Doubles]("Weight of the triangle's second vertex in the first common point, rounded, shape (n,).")
+    v = Column[Doubles]("Weight of the triangle's third vertex in the first common point, rounded, shape (n,).")
 
     @property
     def vertices(self) -> Indices:
@@ -140,7 +148,7 @@ class CrossingPairs(Table[Row]):
 
     @property
     def weights(self) -> Doubles:
-        """Signed weights of these vertices, shape (n, 5): of the edge positive, of the face negative."""
+        """Signed weights of `vertices`, shape (n, 5): the edge's add up to 1, the face's to -1."""
         s = (self.s_lower + self.s_upper) / 2
         return np.stack([1 - s, s, self.u + self.v - 1, -self.u, -self.v], axis=1)
 
@@ -157,11 +165,10 @@ class CrossingPairs(Table[Row]):
 
 
 class Intersections(CrossingPairs[Intersection]):
-    """Edges that pass through triangles or touch them, by edge, then face; arrays of length n.
+    """Edges that pass through triangles or touch them, sorted by edge, then face; arrays of length n.
 
-    `len()` counts them; an integer index gives an `Intersection`, anything else that indexes an array `Intersections`.
-
-    The columns of `table` are edge, face, s_lower, s_upper, u, v.
+    `len()` counts the rows; an integer index gives an `Intersection`, any other index of an array gives
+    `Intersections`. The columns of `table` are edge, face, s_lower, s_upper, u, v.
     """
 
     __slots__ = ()
@@ -169,34 +176,39 @@ class Intersections(CrossingPairs[Intersection]):
     _record = Intersection
 
     def points(self, positions: npt.ArrayLike) -> Doubles:
-        """Tell where each common point is.
+        """Compute the first common point of each edge and triangle.
 
         Parameters
         ----------
-        positions : array_like, shape (n, 3)
-            Those that were asked about.
+        positions : array_like, shape (m, 3)
+            The positions of the question.
 
         Returns
         -------
-        array, shape (n, 2, 3)
-            The point as one of the edge and as one of the face, by `weights`: the same but for rounding.
+        array of float64, shape (n, 2, 3)
+            The point computed on the edge, then on the face, by `weights`: equal except for rounding.
+
+        Raises
+        ------
+        InvalidStep
+            An array of another shape, numbers that are not finite, or positions of too few vertices.
         """
         corners = corners_at_rest(rows(positions, "positions"), self.vertices, "positions")
         shares = self.weights[:, :, np.newaxis] * corners
         return np.stack([shares[:, :2].sum(1), -shares[:, 2:].sum(1)], axis=1)
 
     def features(self, mesh: Mesh) -> Indices:
-        """Find each edge and face among those of the mesh.
+        """Find each edge and face in the mesh.
 
         Parameters
         ----------
         mesh : Mesh
-            The one that was asked about.
+            The mesh of the question.
 
         Returns
         -------
-        array of int, shape (n, 2)
-            The rows of `Mesh.edges` and of `Mesh.faces`.
+        array of int32, shape (n, 2)
+            For each row the edge's row in `Mesh.edges` and the face's row in `Mesh.faces`.
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""What all answers with many rows have in common: one structured array that owns its memory."""
+"""The base of all answers with many rows: a table around one structured array that owns its memory."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Array = TypeVar("Array", bound="npt.NDArray[Any]")
 
 
 class Column(Generic[Array]):
-    """A column of a table: the field of its array that has this name. Read-only, with a docstring as a property has."""
+    """A column of a `Table`: the field with this name of its array, as a read-only property with a docstring."""
 
     def __init__(self, doc: str) -> None:
         self.__doc__ = doc
@@ -38,7 +38,7 @@ class Column(Generic[Array]):
 class Table(Generic[Row]):
     """Rows of one structured array; the columns are views of it.
 
-    `len()` counts the rows; an integer index gives one of them, anything else that indexes an array gives a table.
+    `len()` counts the rows; an integer index gives a row, any other index of an array gives a table.
     """
 
     __slots__ = ("_table",)
@@ -50,11 +50,11 @@ class Table(Generic[Row]):
 
     @property
     def table(self) -> npt.NDArray[np.void]:
-        """One structured array; its fields are the columns."""
+        """The structured array, shape (n,), whose fields are the columns."""
         return self._table
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Make a DataFrame, one row each, with the columns of the command's tables. pandas must be installed."""
+        """Return a DataFrame with the columns of the command's tables. pandas must be installed."""
         import pandas as pd
 
         return pd.DataFrame(self._columns())
@@ -63,16 +63,16 @@ class Table(Generic[Row]):
         raise NotImplementedError
 
     def _fields(self, values: Sequence[Any]) -> tuple[Any, ...]:
-        """Return what `_record` is made of, from one row of the array."""
+        """Return the arguments of `_record`, from the fields of one row."""
         raise NotImplementedError
 
     def _row(self, values: Sequence[Any], index: int) -> Row:
-        """Give the fields of one row their names; `index` is where it stands, for what is kept beside the table."""
+        """Return one row as a named tuple; `index` is its place, for subclasses that keep data outside the array."""
         row: Row = self._record(*self._fields(values))
         return row
 
     def _part(self: Part, table: npt.NDArray[np.void], index: Any) -> Part:
-        """Make a table of some of the rows, those that the index chose."""
+        """Return a table of the rows that `index` chose."""
         return type(self)(table)
 
     def __len__(self) -> int:

@@ -1,4 +1,4 @@
-"""What a body is made of: a shape, and how it moves."""
+"""Shapes and motions of bodies, and checks of arguments that name bodies or give motions."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ _MOTIONS = "give poses (n, 2, 3), as tamis.pose_of makes them, or chains (n, lin
 class Shape:
     """A mesh with its points at rest, in the body's own frame, and the hierarchy over them.
 
-    Made once, then shared by any number of bodies.
+    Make it once, then share it among any number of bodies.
 
     Parameters
     ----------
     mesh : Mesh
-        Its topology.
+        The topology.
     points : array_like, shape (n, 3)
         Where each vertex is. They are copied.
     isa : str
-        Instruction set of what makes the hierarchy: "best", "baseline", "avx2", "avx512". Speed only.
+        The instruction set that builds the hierarchy: "best", "baseline", "avx2", "avx512". Changes speed only.
 
     Raises
     ------
@@ -51,7 +51,7 @@ class Shape:
 
     @property
     def mesh(self) -> Mesh:
-        """Its topology."""
+        """The topology."""
         return self._mesh
 
     @property
@@ -61,7 +61,7 @@ class Shape:
 
     @property
     def memory_bytes(self) -> int:
-        """Held beside mesh and points."""
+        """Memory that the shape holds besides mesh and points."""
         return self._shape.memory_bytes()
 
     def __repr__(self) -> str:
@@ -72,17 +72,17 @@ class Shape:
 
 
 class Deforming:
-    """The motion of a body that deforms: each vertex goes straight, in the frame of the world. It may touch itself.
+    """The motion of a body that deforms: each vertex goes straight, in the world's frame. The body may touch itself.
 
     Parameters
     ----------
     start, end : array_like, shape (n, 3)
-        Where each vertex is at t=0 and at t=1. What cannot be read where it lies is copied.
+        Where each vertex is at t=0 and at t=1. Arrays other than contiguous float64 are copied.
 
     Raises
     ------
     InvalidStep
-        No rows of three numbers.
+        Arrays of another shape or type.
     """
 
     __slots__ = ("_end", "_start")
@@ -106,17 +106,17 @@ class Deforming:
 
 
 def known_shape(given: Shape) -> Shape:
-    """Return what is a shape."""
+    """Return the argument if it is a `Shape`, else raise."""
     return instance(given, Shape, "shape", "a tamis.Shape, as of tamis.Shape(mesh, points)")
 
 
 def numbers_of(given: npt.ArrayLike) -> Indices:
-    """Return the numbers of one body or of many, (n,)."""
+    """Return the numbers of one or many bodies, shape (n,)."""
     return indices(given, 0, "bodies", InvalidOptions, one_may_come_alone=True)
 
 
 def each_once(named: Indices) -> Indices:
-    """Return numbers of bodies of which none is given twice."""
+    """Return the numbers of bodies if none is given twice, else raise."""
     ordered = np.sort(named)
     twice = ordered[1:][ordered[1:] == ordered[:-1]]
     if len(twice):
@@ -125,7 +125,7 @@ def each_once(named: Indices) -> Indices:
 
 
 def motion_of(given: npt.ArrayLike | Deforming, body: int | None = None) -> tuple[Doubles, ...]:
-    """Return what the compiled part takes for one body, which is named where it is refused."""
+    """Return the compiled part's arguments for the motion of one body; errors name `body`, if it has a number yet."""
     if isinstance(given, Deforming):
         return given.start, given.end
     motion = numbers(given, "motion", InvalidPath)
@@ -134,12 +134,12 @@ def motion_of(given: npt.ArrayLike | Deforming, body: int | None = None) -> tupl
 
 
 def motions_of(given: npt.ArrayLike) -> Doubles:
-    """Return poses (n, 2, 3) or chains (n, links, 4, 3) of n new bodies."""
+    """Return the motions of n new bodies: poses, shape (n, 2, 3), or chains, shape (n, links, 4, 3)."""
     return _finite(_motions(given), lambda i: f"motions[{i}]")
 
 
 def motions_of_bodies(given: npt.ArrayLike, named: Indices) -> Doubles:
-    """Return as many of bodies that are there."""
+    """Return motions as `motions_of` does, one for each of the bodies `named`; errors name the body."""
     motions = _motions(given)
     if len(named) != len(motions):
         raise InvalidPath(f"motions has {len(motions)} entries, bodies {len(named)}: give as many")
@@ -147,7 +147,7 @@ def motions_of_bodies(given: npt.ArrayLike, named: Indices) -> Doubles:
 
 
 def chains_of_each(given: npt.ArrayLike, named: Indices) -> Doubles:
-    """Return chains of all motions of these bodies, one after the other, from (n, bodies, links, 4, 3)."""
+    """Return the chains of n motions of b bodies, shape (n * b, links, 4, 3), from (n, b, links, 4, 3)."""
     motions = numbers(given, "motions", InvalidPath)
     count = len(named)
     if motions.ndim != 5 or motions.shape[1] != count or motions.shape[3:] != (4, 3):

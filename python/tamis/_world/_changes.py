@@ -1,4 +1,4 @@
-"""What a world is told: which bodies there are, how they move, which take part."""
+"""Changes of a world: which bodies there are, how they move, which of them may touch."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from tamis._world._bodies import (
 
 
 class Changes:
-    """Bodies come, move on, are switched off and on, and go; part of `World`."""
+    """Functions that add, move, switch and remove bodies; a base of `World`."""
 
     __slots__ = ()
     _world: _core.World
@@ -34,156 +34,160 @@ class Changes:
         Parameters
         ----------
         shape : Shape
-            Its mesh; one may serve many bodies.
+            The body's shape, which may serve many bodies.
         motion : array_like or Deforming, optional
-            A pose, shape (2, 3): position and rotation vector, where it stays (`pose_of`). A chain, shape (links, 4,
-            3): it moves by it (`between`, `interpolated`, `turned`). Or `Deforming`. None: stays as its shape is given.
+            A pose, shape (2, 3), position and rotation vector (`pose_of`): the body stays there. A chain, shape
+            (links, 4, 3) (`between`, `interpolated`, `turned`): the body moves by it as a whole. A `Deforming`: each
+            vertex moves by itself. None: the body stays where the points of its shape are.
 
         Returns
         -------
         int
-            Names the body: 0, 1, 2, ..., never given twice.
+            The number of the body: 0, 1, 2, ...; never given twice.
 
         Raises
         ------
+        InvalidOptions
+            `shape` is no `Shape`.
         InvalidPath
-            No pose and no chain, or numbers that are not finite.
+            The motion has another shape or type, or numbers that are not finite.
         InvalidStep
-            A deforming body with other than one point a vertex, or one that is not finite; a body that turns by more
-            than 4096 radians, or a rotation vector longer than 2^32.
+            A deforming body has not one point for each vertex, or points that are not finite; a body turns by more than
+            4096 radians, or has a rotation vector longer than 2^32.
         """
         return int(self._world.add(known_shape(shape)._shape, *motion_of(AT_REST if motion is None else motion))[0])
 
     def add_many(self, shape: Shape, motions: npt.ArrayLike) -> Indices:
-        """Add bodies of one shape.
+        """Add many bodies of one shape.
 
         Parameters
         ----------
         shape : Shape
-            Of all.
+            The shape of all bodies.
         motions : array_like, shape (n, 2, 3) or (n, links, 4, 3)
-            Poses, where they stay (`pose_of`), or chains, by which they move (`between`).
+            Poses, at which the bodies stay (`pose_of`), or chains, by which they move (`between`).
 
         Returns
         -------
-        array of int, shape (n,)
-            Names them, in order.
+        array of int32, shape (n,)
+            The numbers of the bodies, in the order of `motions`.
 
         Raises
         ------
-        InvalidPath, InvalidStep
-            As of `add`; then none is added.
+        InvalidOptions, InvalidPath, InvalidStep
+            As in `add`; then no body is added.
         """
         return self._world.add(known_shape(shape)._shape, motions_of(motions))
 
     def move(self, body: int, motion: npt.ArrayLike | Deforming) -> None:
-        """Say how a body moves from now on; it may also begin to move in another way.
+        """Set the motion of a body from now on, of the same kind or another.
 
         Parameters
         ----------
         body : int
-            That `add` has returned.
+            The number that `add` returned.
         motion : array_like or Deforming
-            As of `add`.
+            As in `add`.
 
         Raises
         ------
         InvalidPath, InvalidStep
-            As of `add`; then it moves as before.
+            As in `add`; then the body moves as before.
         InvalidOptions
-            The body is not there.
+            The world has no such body.
         """
         moved = whole(body, "body")
         self._world.move(np.array([moved], np.int32), *motion_of(motion, moved))
 
     def move_many(self, bodies: npt.ArrayLike, motions: npt.ArrayLike) -> None:
-        """Say how bodies move from now on, all in one call: ``world.move_many(bodies, tamis.between(start, end))``.
+        """Set the motions of many bodies from now on: ``world.move_many(bodies, tamis.between(start, end))``.
 
         Parameters
         ----------
         bodies : array_like of int, shape (n,)
-            Each once.
+            The numbers of the bodies, each once.
         motions : array_like, shape (n, 2, 3) or (n, links, 4, 3)
-            Of each, as of `add_many`.
+            One for each of `bodies`, as in `add_many`.
 
         Raises
         ------
         InvalidPath, InvalidStep
-            As of `add`, or not as many; then none is moved.
+            As in `add`, or there are not as many motions as bodies; then no motion is set.
         InvalidOptions
-            A body that is not there, or one twice; then none is moved.
+            The world has no such body, or one is named twice; then no motion is set.
         """
         named = each_once(numbers_of(bodies))
         self._world.move(named, motions_of_bodies(motions, named))
 
     def remove(self, bodies: npt.ArrayLike) -> None:
-        """Take bodies out of the world; their numbers are not given again.
+        """Remove bodies from the world; their numbers are not given again.
 
         Parameters
         ----------
         bodies : int or array_like of int, shape (n,)
-            Which, each once.
+            The numbers of the bodies, each once.
 
         Raises
         ------
         InvalidOptions
-            A body that is not there, or one twice; then none is removed.
+            The world has no such body, or one is named twice; then none is removed.
         """
         self._world.remove(each_once(numbers_of(bodies)))
 
     def set_enabled(self, bodies: npt.ArrayLike, is_enabled: bool) -> None:
-        """Switch bodies off, so that they take no part in any question, or on again; they begin switched on.
+        """Switch bodies off, so that they take no part in any question, or on again. Bodies begin switched on.
 
         Parameters
         ----------
         bodies : int or array_like of int, shape (n,)
-            Which.
+            The numbers of the bodies.
         is_enabled : bool
-            On, or off.
+            True: on. False: off.
 
         Raises
         ------
         InvalidOptions
-            A body that is not there; then none is switched.
+            The world has no such body; then none is switched.
         """
         self._world.set_enabled(numbers_of(bodies), truth(is_enabled, "is_enabled"))
 
     def set_radius(self, bodies: npt.ArrayLike, radius: float) -> None:
-        """Give bodies a radius, half of their thickness, in the unit of the points; at first 0.
+        """Set the radius of bodies, half of their thickness; 0 at first.
 
-        Bodies are in contact where their distance is at most the minimum separation plus both radii.
+        Two bodies are in contact where their distance is at most the minimum separation plus both radii, a deforming
+        body with itself where it is at most the separation plus twice its own; for every question but `intersections`.
 
         Parameters
         ----------
         bodies : int or array_like of int, shape (n,)
-            Which.
+            The numbers of the bodies.
         radius : float
-            >= 0, of all of them.
+            >= 0, in the unit of the points; the same for all these bodies.
 
         Raises
         ------
         InvalidOptions
-            A body that is not there, or a radius that is negative or not finite; then nothing has changed.
+            The world has no such body, or the radius is negative or not finite; then nothing changes.
         """
         self._world.set_radius(numbers_of(bodies), number(radius, "radius"))
 
     def set_may_touch(self, bodies: npt.ArrayLike, may_touch: bool) -> None:
-        """Say of pairs of bodies whether they may touch at all.
+        """Set whether pairs of bodies may touch.
 
-        At first all may but two that both stay; a deforming one may touch itself.
+        At first all pairs may, except two bodies that both stay at a pose; a deforming body may touch itself.
 
         Parameters
         ----------
         bodies : array_like of int, shape (2,) or (n, 2)
-            One pair or many; a deforming body with itself is twice the same.
+            One pair of numbers, or many. A deforming body with itself is twice the same number.
         may_touch : bool
             False leaves these pairs out of every answer.
 
         Raises
         ------
         InvalidOptions
-            A body that is not there: nothing has changed. True for two bodies that both stay, or for one with itself
-            that does not deform: what was said of the pairs before them holds.
+            The world has no such body; then nothing changes. Or `may_touch` is True for two bodies that both stay, or
+            for a body with itself that does not deform; then the pairs before that one are set.
         """
         pairs = indices(bodies, 2, "bodies", InvalidOptions, one_may_come_alone=True)
         self._world.set_may_touch(pairs, truth(may_touch, "may_touch"))

@@ -1,4 +1,4 @@
-"""From rows about two bodies back to the meshes of these bodies."""
+"""The features of pairs of bodies, found in the meshes of these bodies."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from tamis._mesh import Mesh
 
 Meshes = Union[Mapping[int, Mesh], Sequence[Mesh]]
 
-_NONE = -1  # in place of a vertex
+_NONE = -1  # no vertex, or no place
 
 
 def both_features(kinds: npt.NDArray[np.uint8], vertices: Indices) -> tuple[Indices, Indices]:
-    """Return the vertices of the first and of the second feature of each pair, (n, 3), `_NONE` where one has less."""
+    """Return the vertices of each pair's first and second feature, shape (n, 3) each; unused entries are `_NONE`."""
     of_first = FIRST_COUNTS[kinds][:, np.newaxis]
     corners = np.arange(3)
     padded = np.pad(vertices, ((0, 0), (0, 1)), constant_values=_NONE)
@@ -29,7 +29,7 @@ def both_features(kinds: npt.NDArray[np.uint8], vertices: Indices) -> tuple[Indi
 
 
 def places_of(features: Indices, bodies: Indices, meshes: Meshes) -> Indices:
-    """Return where each feature stands in the mesh of its body: among the faces or edges, or the index of a vertex."""
+    """Return the row of each feature among the faces or edges of its body's mesh, or the index of a vertex."""
     places = np.empty(len(bodies), np.int32)
     order = np.argsort(bodies, kind="stable")
     for rows in np.split(order, np.flatnonzero(np.diff(bodies[order])) + 1):

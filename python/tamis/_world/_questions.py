@@ -23,7 +23,7 @@ from tamis._world._tables import (
 
 
 class Questions:
-    """What touches while the bodies move, how far all may go, and what is near at the start; part of `World`."""
+    """The questions of a `World`, of which this is a base."""
 
     __slots__ = ()
     _world: _core.World
@@ -35,30 +35,30 @@ class Questions:
         at_start: AtStart = "report",
         tolerance: float | None = None,
     ) -> BodyContacts:
-        """Find every contact.
+        """Find every contact of the step.
 
         Parameters
         ----------
         min_separation : float, optional
-            Of this question alone; by default the world's.
+            >= 0, in place of the world's for this question alone.
         at_start : str
-            As of `Detector.contacts`. Where one of two bodies turns, "ignore" looks at certain times alone: a pair
-            counts from the first of these on at which it is proven apart (docs/worlds.md).
+            As in `Detector.contacts`. If one of two bodies turns, "ignore" looks at certain times only: a pair counts
+            from the first of them on at which it is proven apart (docs/worlds.md).
         tolerance : float, optional
-            Where one of two bodies turns: widest bracket of a contact, in (0, 1], a fraction of the step; by default
-            1e-9.
+            Only where one of two bodies turns: the widest bracket of a contact, a fraction of the step in (0, 1]; by
+            default 1e-9.
 
         Returns
         -------
         BodyContacts
-            By kind, then bodies and vertices; the bodies in a column of their own.
+            Sorted by kind, then bodies and vertices.
 
         Raises
         ------
         InvalidOptions
             An option outside its range.
         InvalidStep
-            With at_start="fail".
+            With ``at_start="fail"``, if a pair touches at t=0.
         """
         return BodyContacts(self._world.contacts(query_options(min_separation, at_start, tolerance)))
 
@@ -69,17 +69,17 @@ class Questions:
         at_start: AtStart = "report",
         tolerance: float | None = None,
     ) -> EarliestBodyContact:
-        """Find the first contact: how far all may go.
+        """Find the first contact: how far all bodies may go.
 
         Parameters
         ----------
         min_separation, at_start, tolerance
-            As of `contacts`.
+            As in `contacts`.
 
         Returns
         -------
         EarliestBodyContact
-            The motion is free before its `toi_lower`: proven.
+            The motion is free before its `toi_lower`, proven.
         """
         return earliest_of(self._world.earliest(query_options(min_separation, at_start, tolerance)))
 
@@ -92,33 +92,33 @@ class Questions:
         at_start: AtStart = "report",
         tolerance: float | None = None,
     ) -> EarliestMany:
-        """Find the first contact for each of many motions of some bodies: a planner's, between configurations.
+        """Find the first contact for each of many motions of some bodies, as planners need it between configurations.
 
-        All other bodies move as they were told, and so do these afterwards. Threads share the motions; each answer has
-        the bits that it has alone.
+        All other bodies move as they were told; afterwards `bodies` have the motions of before. Threads share the
+        motions; each answer has the bits of `earliest` for that motion alone.
 
         Parameters
         ----------
         bodies : array_like of int, shape (b,)
-            Each once.
+            The numbers of the bodies, each once; b >= 1.
         motions : array_like, shape (n, b, links, 4, 3)
-            For each motion a chain for each of the bodies, as of `add`.
+            For each motion a chain for each of `bodies`, as in `add`.
         min_separation, at_start, tolerance
-            As of `contacts`.
+            As in `contacts`.
 
         Returns
         -------
         EarliestMany
-            Motion i is free before `toi_lower[i]`: proven.
+            Motion i is free before `toi_lower[i]`, proven.
 
         Raises
         ------
         InvalidOptions
-            A body that is not there, or one twice.
+            No body is named, the world has no such body, or one is named twice; or an option outside its range.
         InvalidPath
-            Motions of another shape, or numbers that are not finite.
+            `motions` has another shape, or numbers that are not finite.
         InvalidStep
-            With at_start="fail".
+            A body turns too far, as in `add`; with ``at_start="fail"``, a pair touches at t=0.
         """
         named = numbers_of(bodies)
         asked = query_options(min_separation, at_start, tolerance)
@@ -136,12 +136,12 @@ class Questions:
         Parameters
         ----------
         min_separation, at_start, tolerance
-            As of `contacts`.
+            As in `contacts`.
 
         Returns
         -------
         bool
-            True is a proof. Where a body turns, False may be due to a contact that is not certified.
+            True is a proof. If a body turns, False may be due to a contact that is not certified.
         """
         return self._world.is_free(query_options(min_separation, at_start, tolerance))
 
@@ -153,46 +153,46 @@ class Questions:
         at_start: AtStart = "report",
         tolerance: float | None = None,
     ) -> BodyStep:
-        """Find how far all may go so that every pair keeps a fraction of its distance.
+        """Find how far all bodies may go so that every pair keeps a fraction of its distance.
 
         Parameters
         ----------
         keep, min_separation, at_start
-            As of `Detector.safe_step`.
+            As in `Detector.safe_step`.
         tolerance : float, optional
-            As of `contacts`.
+            As in `contacts`.
 
         Returns
         -------
         BodyStep
-            On [0, lower] every pair keeps the fraction: proven. Where one of two bodies turns, a pair that starts
-            nearer to its separation than doubles can tell ends the step at once.
+            On [0, lower] every pair keeps the fraction, proven. If one of two bodies turns, a pair that starts nearer
+            to its separation than doubles can tell ends the step at once.
 
         Raises
         ------
         InvalidOptions
             An option outside its range.
         InvalidStep
-            With at_start="fail".
+            With ``at_start="fail"``, if a pair touches at t=0.
         """
         asked = query_options(min_separation, at_start, tolerance)
         return body_step_of(self._world.safe_step(number(keep, "keep"), asked))
 
     def pairs_within(self, distance: float) -> BodyNearPairs:
-        """Find every pair of features that is near at t=0.
+        """Find every pair of features that are near each other at t=0.
 
-        Two bodies that only have poses are not asked about, even where they pass through each other: give one of them
-        ``interpolated(pose, pose)``.
+        Two bodies that both stay at a pose are left out, even where they pass through each other. To ask about them,
+        move one of them by ``interpolated(pose, pose)``.
 
         Parameters
         ----------
         distance : float
-            >= 0, in the unit of the points.
+            >= 0, in the unit of the points: pairs at most this far apart count. Both radii are added to it.
 
         Returns
         -------
         BodyNearPairs
-            Each pair once, by kind, then bodies and vertices.
+            Each pair once, sorted by kind, then bodies and vertices.
 
         Raises
         ------
@@ -202,49 +202,51 @@ class Questions:
         return BodyNearPairs(self._world.pairs_within(number(distance, "distance")))
 
     def intersections(self) -> BodyIntersections:
-        """Find every edge that passes through a triangle or touches it at t=0: exactly.
+        """Find every edge that passes through a triangle or touches it at t=0. Decided exactly.
 
-        Two bodies that only have poses are not asked about, as of `pairs_within`.
+        Two bodies that both stay at a pose are left out, as in `pairs_within`.
 
         Returns
         -------
         BodyIntersections
-            By bodies, edge and face.
+            Sorted by bodies, edge and face.
         """
         return BodyIntersections(self._world.intersections())
 
     def has_intersection(self) -> bool:
-        """Tell whether any edge passes through a triangle or touches it at t=0: whether this is no start to move from.
+        """Tell whether any edge passes through a triangle or touches it at t=0.
 
-        Two bodies that only have poses are not asked about, as of `pairs_within`.
+        Decided exactly; ends at the first intersection. Two bodies that both stay at a pose are left out, as in
+        `pairs_within`.
 
         Returns
         -------
         bool
-            Exact, of the pairs that `intersections` asks about. Ends at the first.
+            Whether `intersections` has a row.
         """
         return self._world.has_intersection()
 
     def points_at(self, body: int, time: float) -> tuple[Doubles, float]:
-        """Tell where the vertices of a body are at a time of its motion, on the curves that questions are about.
+        """Compute where the vertices of a body are at `time`, on the curves that questions are about.
 
         Parameters
         ----------
         body : int
-            That `add` has returned.
+            The number that `add` returned.
         time : float
-            In [0, 1]: that of a contact, say.
+            In [0, 1], such as the time of a contact.
 
         Returns
         -------
-        points : array, shape (n, 3)
-            One a vertex of its shape, in the frame of the world.
+        points : array of float64, shape (n, 3)
+            One row a vertex of its shape, in the world's frame.
         error : float
-            No coordinate is off by more, of vertices that take part in contacts. 0: the points are exact.
+            No coordinate of a vertex in `Mesh.points` is off by more than this, in the unit of the points. 0: they are
+            exact.
 
         Raises
         ------
         InvalidOptions
-            The body is not there, or the time is outside the step.
+            The world has no such body, or the time is outside [0, 1].
         """
         return self._world.points_at(whole(body, "body"), number(time, "time"))

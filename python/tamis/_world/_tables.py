@@ -1,4 +1,4 @@
-"""What a world of bodies answers: the tables and records of a detector, with the bodies that each row is about."""
+"""Answers of a world: the tables and named tuples of a detector, with the two bodies of each row."""
 
 from __future__ import annotations
 
@@ -25,12 +25,13 @@ if TYPE_CHECKING:
 
 
 class BodyContact(NamedTuple):
-    """A `Contact` between two bodies, or of a deforming one with itself.
+    """A `Contact` of two bodies, or of a deforming body with itself.
 
     Attributes
     ----------
     bodies : tuple of two int
-        Of the first feature and of the second. Of edge-edge the smaller body is the first.
+        The body of the first feature, then of the second. Of two edges the edge of the body with the smaller number is
+        first.
     kind, vertices, toi_lower, toi_upper, u, v, normal, certified
         As in `Contact`; vertices are those of the bodies' own meshes.
     """
@@ -47,7 +48,7 @@ class BodyContact(NamedTuple):
 
 
 class BodyNearPair(NamedTuple):
-    """A `NearPair` of two bodies, or of a deforming one.
+    """A `NearPair` of two bodies, or of a deforming body with itself.
 
     Attributes
     ----------
@@ -67,12 +68,12 @@ class BodyNearPair(NamedTuple):
 
 
 class BodyIntersection(NamedTuple):
-    """An `Intersection` of two bodies, or of a deforming one with itself.
+    """An `Intersection` of two bodies, or of a deforming body with itself.
 
     Attributes
     ----------
     bodies : tuple of two int
-        Of the edge and of the face.
+        The body of the edge, then of the face.
     edge, face, s_lower, s_upper, u, v
         As in `Intersection`; vertices are those of the bodies' own meshes.
     """
@@ -87,14 +88,14 @@ class BodyIntersection(NamedTuple):
 
 
 class EarliestBodyContact(NamedTuple):
-    """How far all bodies may go: as `EarliestContact`.
+    """The first contact of a step: how far all bodies may go, as `EarliestContact`.
 
     Attributes
     ----------
     toi_lower, toi_upper : float
         As in `EarliestContact`.
     contact : BodyContact or None
-        The contact that bounds the step first; None if the step is free.
+        The contact that ends the step; None if the step is free.
     """
 
     toi_lower: float
@@ -119,16 +120,16 @@ class BodyStep(NamedTuple):
 
 
 class EarliestMany(NamedTuple):
-    """The first contact of each of many motions.
+    """The first contact of each of n motions.
 
     Attributes
     ----------
-    toi_lower, toi_upper : array, shape (n,)
-        Of each motion, as in `EarliestContact`.
-    touching : array of int, shape (m,)
-        Which motions are not free, ascending.
+    toi_lower, toi_upper : array of float64, shape (n,)
+        For each motion as in `EarliestContact`.
+    touching : array of int32, shape (m,)
+        The motions that are not free, ascending.
     contacts : BodyContacts
-        The first one of each of these, m rows.
+        The first contact of each motion in `touching`: m rows.
     """
 
     toi_lower: Doubles
@@ -138,39 +139,39 @@ class EarliestMany(NamedTuple):
 
     @property
     def is_free(self) -> npt.NDArray[np.bool_]:
-        """Of each motion, shape (n,): True is a proof."""
+        """Whether each motion is free, shape (n,). True is a proof."""
         free = np.ones(len(self.toi_lower), bool)
         free[self.touching] = False
         return free
 
 
 def earliest_of(found: _core._Earliest) -> EarliestBodyContact:
-    """Give what the compiled part has found its names."""
+    """Return the compiled part's answer as a named tuple."""
     lower, upper, rows = found
     contacts = BodyContacts(rows)
     return EarliestBodyContact(lower, upper, contacts[0] if len(contacts) else None)
 
 
 def earliest_many_of(found: _core._EarliestMany) -> EarliestMany:
-    """Give what the compiled part has found its names."""
+    """Return the compiled part's answer as a named tuple."""
     lower, upper, touching, rows = found
     return EarliestMany(lower, upper, touching, BodyContacts(rows))
 
 
 def body_step_of(found: _core._SafeStep) -> BodyStep:
-    """Give what the compiled part has found its names."""
+    """Return the compiled part's answer as a named tuple."""
     lower, upper, rows = found
     pairs = BodyNearPairs(rows)
     return BodyStep(lower, upper, pairs[0] if len(pairs) else None)
 
 
 class OfBodies(Table[Row]):
-    """Rows that are about two bodies each."""
+    """Tables of which each row is about two bodies."""
 
     __slots__ = ()
 
     bodies = Column[Indices](
-        "The bodies of the first and of the second feature, shape (n, 2); twice the same where one touches itself."
+        "The bodies of the first and of the second feature, shape (n, 2); twice the same for a body with itself."
     )
 
     def _fields(self, values: Sequence[Any]) -> tuple[Any, ...]:
@@ -182,38 +183,38 @@ class OfBodies(Table[Row]):
 
 
 class FeaturesOfBodies(OfBodies[Row], FeaturePairs[Row]):
-    """Pairs of features of two bodies each."""
+    """Pairs of features, each of two bodies."""
 
     __slots__ = ()
 
     def features(self, meshes: Meshes) -> Indices:
-        """Find both features of each row in the meshes of their bodies, shape (n, 2).
+        """Find both features of each pair in the meshes of their bodies.
 
         Parameters
         ----------
         meshes : mapping or sequence of Mesh
-            Of each body that is in the table, by its number: ``{body: shape.mesh}``.
+            The mesh of each body in the table, by the body's number: ``{body: shape.mesh}``.
 
         Returns
         -------
-        array of int, shape (n, 2)
-            Of each feature the row of `Mesh.faces` or of `Mesh.edges`, or the index of a vertex, in the mesh of the
-            body that stands in the same place of `bodies`.
+        array of int32, shape (n, 2)
+            For each pair its first and its second feature: for a face its row in `Mesh.faces`, for an edge its row in
+            `Mesh.edges`, for a vertex its index; in the mesh of the body that `bodies` has in the same column.
 
         Raises
         ------
         InvalidMesh
-            There is no mesh for a body, or it has no such vertex, edge or face.
+            A body has no mesh in `meshes`, or its mesh has no such vertex, edge or face.
         """
         features = both_features(self._kinds(), self.vertices)
         return np.stack([places_of(features[i], self.bodies[:, i], meshes) for i in (0, 1)], axis=1)
 
 
 class BodyContacts(FeaturesOfBodies[BodyContact], TouchingPairs[BodyContact]):
-    """Contacts of a step, by kind, then bodies and vertices. They own their memory.
+    """Contacts of a step, sorted by kind, then bodies and vertices. They own their memory.
 
-    `len()` counts them; an integer index gives a `BodyContact`, anything else that indexes an array `BodyContacts`.
-    The columns of `table` are those of `Contacts`, and bodies.
+    `len()` counts the contacts; an integer index gives a `BodyContact`, any other index of an array `BodyContacts`. The
+    columns of `table` are those of `Contacts`, and bodies.
     """
 
     __slots__ = ()
@@ -221,12 +222,12 @@ class BodyContacts(FeaturesOfBodies[BodyContact], TouchingPairs[BodyContact]):
     _record = BodyContact
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a table, complete or not at all; numbers read back to the same doubles.
+        """Write the contacts to a table. If that fails, no file is left. Numbers read back to the same doubles.
 
         Parameters
         ----------
         path : path_like
-            Ending in ``.csv``, or without an extension. The columns are b0, b1, the bodies, then those of
+            A name that ends in ``.csv``, or that has no extension. The columns are b0 and b1, the bodies, then those of
             `Contacts.save`.
 
         Raises
@@ -234,7 +235,8 @@ class BodyContacts(FeaturesOfBodies[BodyContact], TouchingPairs[BodyContact]):
         FileError
             The file cannot be written, or its name has another extension.
         Error
-            An extension of files to look at: of bodies the command makes pages, ``tamis bodies SCENE.json --out``.
+            The extension is that of a file to look at. Only the command writes these for bodies: ``tamis bodies
+            SCENE.json --out``.
         """
         name = file_name(path, "path")
         if _core.is_file_to_look_at(name):
@@ -243,10 +245,10 @@ class BodyContacts(FeaturesOfBodies[BodyContact], TouchingPairs[BodyContact]):
 
 
 class BodyNearPairs(FeaturesOfBodies[BodyNearPair], ClosePairs[BodyNearPair]):
-    """Pairs of features that are near each other at the start, by kind, then bodies and vertices.
+    """Pairs of features that are near each other at the start, sorted by kind, then bodies and vertices.
 
-    `len()` counts them; an integer index gives a `BodyNearPair`, anything else that indexes an array `BodyNearPairs`.
-    The columns of `table` are those of `NearPairs`, and bodies.
+    `len()` counts the pairs; an integer index gives a `BodyNearPair`, any other index of an array `BodyNearPairs`. The
+    columns of `table` are those of `NearPairs`, and bodies.
     """
 
     __slots__ = ()
@@ -255,9 +257,9 @@ class BodyNearPairs(FeaturesOfBodies[BodyNearPair], ClosePairs[BodyNearPair]):
 
 
 class BodyIntersections(OfBodies[BodyIntersection], CrossingPairs[BodyIntersection]):
-    """Edges that pass through triangles or touch them at the start, by bodies, edge and face.
+    """Edges that pass through triangles or touch them at the start, sorted by bodies, edge and face.
 
-    `len()` counts them; an integer index gives a `BodyIntersection`, anything else that indexes an array
+    `len()` counts the rows; an integer index gives a `BodyIntersection`, any other index of an array
     `BodyIntersections`. The columns of `table` are those of `Intersections`, and bodies.
     """
 

@@ -1,4 +1,4 @@
-"""Bodies, each with its own mesh and its own way of moving."""
+"""Worlds of bodies, each with its own shape and motion."""
 
 from __future__ import annotations
 
@@ -15,33 +15,45 @@ from tamis._world._questions import Questions
 class World(Changes, Questions):
     """Bodies, each with its own shape and motion, and the questions of a `Detector` about them.
 
-    Each body moves during t in [0, 1] as it was told last. What does not deform costs nothing to keep, and bodies far
-    from each other next to nothing. A body that has a pose stays there; one that has a chain moves by it as a whole;
-    one that is `Deforming` goes straight, vertex by vertex. Where no rotation of a chain changes, contacts are decided
-    exactly, as of a step; where one turns, as on a `Path`: proven free, or with a bracket as narrow as the tolerance,
-    or not certified.
+    During t in [0, 1] each body moves as it was told last. A body with a pose stays there; a body with a chain moves by
+    it as a whole; each vertex of a `Deforming` body goes straight. Bodies that do not deform cost nothing to keep, and
+    pairs of bodies that are far from each other next to nothing. If neither body of a pair turns, its contacts are
+    decided exactly, as those of a step. If one turns, they are those of a `Path`: proven free, certified with a bracket
+    no wider than the tolerance, or not certified.
 
-    Other Python threads run meanwhile, Ctrl-C ends a question, and a question or change during a question raises
-    `Busy`. Whatever names a body that is not there, or no more, raises `InvalidOptions`, and has then changed nothing.
-    The answers do not depend on the number of threads, on the machine, or on earlier questions.
+    Other Python threads run during a question, and Ctrl-C ends it. A question or change during a question raises
+    `Busy`. Functions that name a body raise `InvalidOptions`, and change nothing, if the world never had it or has it
+    no more. The answers do not depend on the number of threads, on the machine, or on earlier questions.
 
     Parameters
     ----------
     threads : int
-        To use; 0: all. Speed only.
+        The number of threads to use, >= 0; 0: all. Changes speed only.
     min_separation : float
-        d >= 0 in the unit of the points: contact means Euclidean distance <= d. A question may bring its own.
+        d >= 0, in the unit of the points: contact means Euclidean distance <= d. A question may have its own.
     isa : str
-        Instruction set: "best", "baseline", "avx2", "avx512". Speed only.
+        Instruction set: "best", "baseline", "avx2", "avx512". Changes speed only.
     rings : int
-        As of `Detector`: of deforming bodies with themselves.
+        As in `Detector`, for deforming bodies with themselves.
     is_cancelled : callable, optional
-        Asked some 20 times a second during a question; True ends it with `Cancelled`.
+        As in `Detector`.
 
     Raises
     ------
     InvalidOptions
-        An option outside its range, or an unknown name.
+        An option outside its range, an unknown name, or an instruction set that this machine lacks.
+
+    Examples
+    --------
+    Two triangles; the second falls onto the first:
+
+    >>> triangle = Shape(Mesh([[0, 1, 2]]), [[0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    >>> world = World()
+    >>> ground = world.add(triangle)
+    >>> above, below = [[0.1, 0.1, 1], [0, 0, 0]], [[0.1, 0.1, -1], [0, 0, 0]]
+    >>> falling = world.add(triangle, interpolated(above, below))
+    >>> world.earliest().toi_lower
+    0.5
     """
 
     __slots__ = ("_description", "_world")
@@ -67,7 +79,7 @@ class World(Changes, Questions):
 
     @property
     def statistics(self) -> Statistics:
-        """What the last question cost; `memory_bytes` without shapes."""
+        """The cost of the last question; `memory_bytes` does not count shapes."""
         return Statistics(**self._world.statistics())
 
     def __repr__(self) -> str:

@@ -1,1 +1,1 @@
-"""What Tamis finds, as other libraries take it; each module here needs the library that it is named after."""
+"""Converts answers of Tamis for other libraries. Each module needs the library of its name."""

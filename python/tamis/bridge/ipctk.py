@@ -1,4 +1,4 @@
-"""What Tamis finds, as ipctk takes it: near pairs become the candidates of its barriers.
+"""Converts answers of Tamis for ipctk: near pairs become candidates for its barriers.
 
 >>> from tamis.bridge import ipctk as bridge
 >>> detector = tamis.Detector(bridge.mesh(collision_mesh))
@@ -25,7 +25,7 @@ from tamis._tables._columns import NamedPairs
 
 __all__ = ["candidates", "mesh"]
 
-_Edges = npt.NDArray[np.int64]  # ipctk's number of each edge
+_Edges = npt.NDArray[np.int64]  # for each of Tamis's edges its number in ipctk
 
 
 def mesh(collision_mesh: ipctk.CollisionMesh) -> Mesh:
@@ -34,44 +34,44 @@ def mesh(collision_mesh: ipctk.CollisionMesh) -> Mesh:
     Parameters
     ----------
     collision_mesh : ipctk.CollisionMesh
-        In three dimensions and without planes. Its positions, and whatever `can_collide` says, are not looked at: give
-        the detector `groups` for that.
+        Three-dimensional, without planes. Its positions are not used, nor is its `can_collide`: give the detector
+        `groups` instead.
 
     Returns
     -------
     Mesh
-        The same object in every call. Its `edges` have another order than ipctk's.
+        The same object in every call with this collision mesh. Its `edges` have another order than ipctk's.
 
     Raises
     ------
     InvalidMesh
-        It is no `ipctk.CollisionMesh`, is flat, or has planes, which Tamis does not know.
+        The argument is no `ipctk.CollisionMesh`, is two-dimensional, or has planes, which Tamis does not support.
     """
     return _known(collision_mesh).mesh
 
 
 def candidates(pairs: NamedPairs[Any], collision_mesh: ipctk.CollisionMesh) -> ipctk.Candidates:
-    """Return pairs as candidates, by ipctk's numbers of edges and faces: for `ipctk.NormalCollisions.build`.
+    """Return pairs as candidates with ipctk's numbers of edges and faces, for `ipctk.NormalCollisions.build`.
 
     Parameters
     ----------
     pairs : NearPairs or Contacts
-        That a detector of `mesh` has found, or one of another mesh whose vertices have the same numbers, and whose
-        faces list theirs in the same order.
+        The answer of a detector of `mesh(collision_mesh)`, or of another mesh that numbers its vertices in the same way
+        and lists the vertices of each face in the same order.
     collision_mesh : ipctk.CollisionMesh
-        As of `mesh`.
+        As in `mesh`.
 
     Returns
     -------
     ipctk.Candidates
-        One for each pair, in their order.
+        One candidate for each pair: a list for each kind, in the order of the pairs.
 
     Raises
     ------
     InvalidMesh
-        As of `mesh`; or a pair has a feature that the mesh has not.
+        As in `mesh`; or the mesh lacks a feature of a pair.
     InvalidOptions
-        These are no pairs.
+        `pairs` is no table of pairs.
     """
     known = _known(collision_mesh)
     given = instance(pairs, NamedPairs, "pairs", "the NearPairs or Contacts of a detector")
@@ -83,7 +83,7 @@ def candidates(pairs: NamedPairs[Any], collision_mesh: ipctk.CollisionMesh) -> i
 
 
 class _Made(dict[int, Any]):
-    """Candidates that were made before, by both numbers in one: to make one costs ipctk several times as much."""
+    """Cache of candidates, by the numbers of both features in one integer. Making one takes several times a look-up."""
 
     _MOST = 1 << 18
 
@@ -99,7 +99,7 @@ class _Made(dict[int, Any]):
 
 
 class _Kind:
-    """The candidates of one kind of pairs: of which class, and which of its numbers are Tamis's of edges."""
+    """Makes candidates of one kind of pairs. `first`, `second`: ipctk's edge numbers if that feature is an edge."""
 
     def __init__(self, name: str, make: Callable[[int, int], Any], first: _Edges | None, second: _Edges | None) -> None:
         self.name = name
@@ -114,12 +114,12 @@ class _Kind:
 
 
 class _Known:
-    """A collision mesh as Tamis has it, and how its pairs become candidates."""
+    """A collision mesh as a mesh of Tamis, and the makers of its candidates by kind."""
 
     def __init__(self, given: ipctk.CollisionMesh) -> None:
         self.mesh = Mesh(given.faces, given.num_vertices, given.edges, given.codim_vertices)
         edges = np.empty(len(self.mesh.edges), np.int64)
-        places = self.mesh.find_edges(given.edges)  # -1: from a vertex to itself, which is an edge in ipctk alone
+        places = self.mesh.find_edges(given.edges)  # -1: from a vertex to itself, which is an edge only for ipctk
         edges[places[places >= 0]] = np.flatnonzero(places >= 0)
         self.kinds = {
             PairKind.VERTEX_FACE: _Kind("fv_candidates", _second_first(ipctk.FaceVertexCandidate), None, None),
@@ -130,7 +130,7 @@ class _Known:
 
 
 def _second_first(make: Callable[[int, int], Any]) -> Callable[[int, int], Any]:
-    """What has a vertex first in Tamis has it last in ipctk."""
+    """Swap the arguments of `make`: pairs of a vertex and a face or edge begin with the vertex, ipctk's end with it."""
     return lambda first, second: make(second, first)
 
 

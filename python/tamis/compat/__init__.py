@@ -1,1 +1,1 @@
-"""Calls of other packages by their own names, answered by Tamis."""
+"""The interfaces of other packages, answered by Tamis."""

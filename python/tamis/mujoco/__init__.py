@@ -1,10 +1,10 @@
-"""MuJoCo: `Referee` follows a simulation, and proves each of its steps free of contacts or names them.
+"""MuJoCo: `Referee` follows a simulation, and proves each of its steps free of contacts or names the contacts.
 
 >>> referee = tamis.mujoco.Referee(model, data)
 >>> mujoco.mj_step(model, data)
 >>> step = referee.check()
 
-It needs the package `mujoco`, in the version that this was written for: ``pip install '.[mujoco]'`` in the clone.
+It needs one version of the package `mujoco` (`_version.WRITTEN_FOR`): ``pip install '.[mujoco]'`` in the clone.
 """
 
 from tamis.mujoco._version import WRITTEN_FOR, complaint

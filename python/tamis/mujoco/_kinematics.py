@@ -1,4 +1,4 @@
-"""The motion that MuJoCo means between two states: each joint at constant velocity, bodies carried by their parents."""
+"""MuJoCo's motion between two states: each joint at constant velocity, each body carried by its parent."""
 
 from __future__ import annotations
 
@@ -16,27 +16,27 @@ _HINGE, _SLIDE, _BALL, _FREE = (getattr(mujoco.mjtJoint, f"mjJNT_{k}") for k in 
 
 @dataclass(frozen=True)
 class _Move:
-    """A joint; or the motion of a mocap body as it is told, joint -1."""
+    """The motion of a body by one joint, or of a mocap body by its given poses: joint -1."""
 
     body: int
     joint: int
 
 
 class _Links:
-    """Of all chains, the links: one for each move that turns, and one for what slides after the last of these.
+    """The links of all chains: in each chain one link for each move that turns, and one for slides after the last.
 
-    Moves are rows of the arrays of `_twists`, whose last row is of no move.
+    Moves are numbered as the rows of the arrays of `_twists`; row -1, the last, belongs to no move.
     """
 
     def __init__(self) -> None:
-        self.moves: list[int] = []  # that turn; none in a link that only slides
-        self.before: list[int] = []  # those of the links before, in the same chain
-        self.sliding: list[tuple[int, int]] = []  # a link, and a move that slides in it
-        self.chains = [slice(0, 0)]
+        self.moves: list[int] = []  # of each link, the move that turns it; _NONE if it only slides
+        self.before: list[int] = []  # of each link, the move that turns the link before in its chain, or _NONE
+        self.sliding: list[tuple[int, int]] = []  # pairs of a link and a move that slides in it
+        self.chains = [slice(0, 0)]  # of each chain, its links; chain 0 is the world's
         self.last = [_NONE]  # of each chain, the last move that turns
 
     def add_chain(self, moves: list[tuple[int, bool]]) -> None:
-        """Add a chain from the world on: the number of each move, and whether it turns."""
+        """Add a chain of moves, from the world to the body: the number of each move, and whether it turns."""
         first, last = len(self.moves), _NONE
         for move, turns in moves:
             if turns:
@@ -54,18 +54,26 @@ class _Links:
 
 @dataclass(frozen=True)
 class _Kind:
-    """All moves of one kind."""
+    """All moves of one kind; the arrays have one row a move."""
 
-    kind: Any  # of the joints; None: mocap bodies
-    numbers: Indices
-    things: Indices  # joints, or mocap bodies
-    dofs: Indices  # the one of each joint, or the three that turn
+    kind: Any  # a joint's type; None: mocap bodies
+    numbers: Indices  # of the moves
+    things: Indices  # the joints, or the mocap bodies
+    dofs: Indices  # each joint's degree of freedom, or the three by which a ball or free joint turns
 
 
 class Carriers:
-    """The bodies that turn, each with its chain of joints from the world on; number 0 is the world, which stays.
+    """The carriers: bodies that turn by a joint of their own, each with its chain of joints from the world to it.
 
-    A body that only slides goes straight in the frame of the nearest body above it that turns: its carrier.
+    Carrier 0 is the world, which stays. Any other body is carried by the nearest body above it that turns: it is at
+    rest or slides straight in that body's frame.
+
+    Attributes
+    ----------
+    bodies : list of int
+        The body of each carrier.
+    of_body, is_moving, is_sliding : arrays, shape (nbody,)
+        For each body of the model its carrier; whether it moves in the world; whether it slides in its carrier's frame.
     """
 
     def __init__(self, model: Any) -> None:
@@ -75,7 +83,7 @@ class Carriers:
         self.bodies = [0]
         self.of_body: Indices = np.zeros(model.nbody, np.int32)
         self.is_moving = np.zeros(model.nbody, bool)
-        self.is_sliding = np.zeros(model.nbody, bool)  # in its carrier's frame
+        self.is_sliding = np.zeros(model.nbody, bool)
         moves_to: list[list[_Move]] = [[]]
         for body in range(1, model.nbody):
             parent, own = int(model.body_parentid[body]), self._moves_of(body)
@@ -116,9 +124,9 @@ class Carriers:
         return _Kind(kind, np.array([number for number, _ in moves], np.int32), things, dofs)
 
     def chains(self, start: Any, end: Any) -> tuple[list[Doubles], Doubles] | None:
-        """Return the links of each carrier, and the origin of its frame: the anchor of its last joint that turns.
+        """Return each carrier's links, and the origin of its frame: the anchor of its last joint that turns.
 
-        Of two `MjData` whose kinematics are computed. None: nothing turns.
+        `start` and `end` are `MjData` whose kinematics are computed. None: nothing turns between them.
         """
         if not self._kinds:
             return None
@@ -135,7 +143,7 @@ class Carriers:
         return [links[chain] for chain in of.chains], anchors[of.last]
 
     def _twists(self, start: Any, end: Any) -> Doubles:
-        """Of each move, in the world as it is at the start: its anchor, rotation vector and shift over the step."""
+        """Return each move's anchor, rotation vector and shift over the step, in the world's frame at the start."""
         change, out = np.empty(self._model.nv), np.zeros((3, len(self._moves) + 1, 3))
         mujoco.mj_differentiatePos(self._model, change, 1.0, start.qpos, end.qpos)
         anchors, turns, shifts = out
@@ -155,7 +163,7 @@ class Carriers:
         return out
 
     def turned_too_far(self, velocity: Doubles, seconds: float) -> int | None:
-        """Return a body whose free or ball joint turns by more than half a turn, which two states do not show."""
+        """Return a body whose free or ball joint turns by 0.99 half turns or more: two states do not show which way."""
         for kind in self._kinds:
             if kind.kind not in (_BALL, _FREE):
                 continue
@@ -165,7 +173,7 @@ class Carriers:
         return None
 
     def _told(self, start: Any, end: Any, kind: _Kind, out: Doubles) -> None:
-        """Mocap bodies: straight from one pose to the next, by the shorter turn at constant speed."""
+        """Write the moves of mocap bodies to `out`: straight to the next pose, by the shorter turn at constant speed."""
         numbers, bodies, (anchors, turns, shifts) = kind.numbers, kind.things, out
         anchors[numbers], shifts[numbers] = start.xpos[bodies], end.xpos[bodies] - start.xpos[bodies]
         local = np.zeros((len(bodies), 3))
@@ -175,6 +183,6 @@ class Carriers:
 
 
 def _in_world(start: Any, bodies: Indices, vectors: Doubles) -> Doubles:
-    """From each body's frame at the start."""
+    """Turn vectors from each body's frame at the start into the world's."""
     turned: Doubles = np.einsum("nij,nj->ni", start.xmat[bodies].reshape(-1, 3, 3), vectors)
     return turned

@@ -1,4 +1,4 @@
-"""Where flexes hang on bodies: MuJoCo lets what hangs there pass through the geoms of that body."""
+"""Pinned vertices of flexes: MuJoCo lets features with a vertex on a body pass through the geoms of that body."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from tamis._tables._contacts import Contacts
 from tamis._tables._near import Intersections
 from tamis.mujoco._surfaces import Surface
 
-# Bodies that no vertex of the other side has.
+# Numbers in place of a body, which differ so that a vertex of no flex never meets a vertex of no geom.
 _OF_NO_FLEX, _OF_NO_GEOM = -1, -2
 
 
 class Pins:
-    """Leaves out pairs of a flex and a geom, where a vertex of the flex' feature rides on the geom's body.
+    """Leaves out pairs of a flex and a geom if a vertex of the flex' feature is carried by the geom's body.
 
-    As `mj_collideGeomElem` does. Planes, and flexes that nodes move, have no such pairs.
+    MuJoCo's `mj_collideGeomElem` does so. It does not for planes, nor for flexes whose vertices are moved by nodes.
     """
 
     def __init__(self, model: Any, parts: list[Surface]) -> None:
@@ -38,7 +38,7 @@ class Pins:
         return part.bodies
 
     def without(self, found: Contacts) -> Contacts:
-        """Leave out of contacts what MuJoCo lets pass."""
+        """Return the contacts without pairs that MuJoCo lets pass."""
         if not self._has_some or not len(found):
             return found
         is_first = np.arange(4) < FIRST_COUNTS[found.kind][:, np.newaxis]
@@ -46,13 +46,13 @@ class Pins:
         return found[~self._are_pinned(first, second)]
 
     def without_intersections(self, found: Intersections) -> Intersections:
-        """Leave out the same of intersections."""
+        """Return the intersections without pairs that MuJoCo lets pass."""
         if not self._has_some or not len(found):
             return found
         return found[~self._are_pinned(found.edge, found.face)]
 
     def _are_pinned(self, first: Indices, second: Indices) -> npt.NDArray[np.bool_]:
-        """Of rows of two features' vertices, with -1 for none."""
+        """Return which pairs MuJoCo lets pass, shape (n,). Arguments: the vertices of both features, unused ones -1."""
         return self._rides_on(first, second) | self._rides_on(second, first)
 
     def _rides_on(self, flex: Indices, geom: Indices) -> npt.NDArray[np.bool_]:

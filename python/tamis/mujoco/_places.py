@@ -1,4 +1,4 @@
-"""Where all vertices of a model's surfaces are, state after state, and the way from one to the next."""
+"""The positions of all vertices of a model's surfaces in each state, and their path from one state to the next."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from tamis.mujoco._surfaces import Surface, vertices_by_nodes
 
 @dataclass(frozen=True)
 class _Turned:
-    """Vertices with a place in the frame of a body that turns."""
+    """Vertices with their positions in the frames of their bodies."""
 
     vertices: npt.NDArray[np.intp]
     bodies: Indices
@@ -25,20 +25,27 @@ class _Turned:
 
     @classmethod
     def of(cls, which: npt.NDArray[np.bool_], bodies: Indices, in_body: Doubles) -> _Turned:
-        """Choose some of all vertices."""
+        """Choose the vertices where `which` is true; the arrays have one row a vertex."""
         return cls(np.flatnonzero(which), bodies[which], in_body[which])
 
     def add(self, state: Any, points: Doubles) -> None:
-        """Add to the places of their bodies, as a `MjData` has them, where they are in their frames."""
+        """Add each vertex' offset, turned as its body is in `state` (`MjData`), to `points`: its body's origin."""
         if len(self.vertices):
             turns = state.xmat[self.bodies].reshape(-1, 3, 3)
             points[self.vertices] += np.einsum("nij,nj->ni", turns, self.in_body)
 
 
 class Places:
-    """Where the vertices are in the last two states that were seen: `before` and `now`, `MjData` with kinematics.
+    """The last two states that were seen, and the positions of all vertices in the last one.
 
-    `points` are those of `now`. Vertices that stay are computed once, and so are the places in a body that never turns.
+    Vertices that never move are computed once; so are offsets from bodies that never turn.
+
+    Attributes
+    ----------
+    before, now : MjData
+        The two states, with their kinematics computed.
+    points : array of float64, shape (n, 3)
+        Where each vertex is in `now`.
     """
 
     def __init__(self, model: Any, parts: list[Surface], carriers: Carriers) -> None:
@@ -64,11 +71,11 @@ class Places:
 
     @property
     def moving_points(self) -> Doubles:
-        """Where the vertices are that do not stay, shape (n, 3)."""
+        """The positions of the vertices that may move, shape (m, 3)."""
         return self.points[self._moving]
 
     def look(self, data: Any) -> None:
-        """Copy a state, and compute where it puts every vertex."""
+        """Copy a state as `now`, and compute the positions of all vertices in it."""
         self.now, self.before = self.before, self.now
         model, now = self._model, self.now
         now.time, now.qpos[:] = data.time, data.qpos
@@ -85,7 +92,7 @@ class Places:
             self.points[mine] = now.flexvert_xpos[theirs]
 
     def path(self, start: Doubles) -> RigidPath | None:
-        """Return the way from `start`, the points before, to those of now; None: nothing turns, all go straight."""
+        """Return the path from `start`, the points of `before`, to `points`; None if nothing turns: all go straight."""
         turning = self._carriers.chains(self.before, self.now)
         if turning is None:
             return None
@@ -97,7 +104,7 @@ class Places:
         return RigidPath(rest, self._carrier, chains, rest_end)
 
     def _pull_back(self, rest_end: Doubles, origins: Doubles) -> None:
-        """Write where vertices that slide in a turning frame are in it at the end."""
+        """Write into `rest_end` where vertices that slide in a turning frame are in that frame at the end."""
         some = self._sliding
         if not len(some):
             return
@@ -110,7 +117,7 @@ class Places:
 
 
 def _span(numbers: npt.NDArray[Any]) -> npt.NDArray[Any] | slice:
-    """Return the same as a slice where each is one more than the last, which spares NumPy a copy."""
+    """Return consecutive numbers as a slice, which spares NumPy a copy; others as they are."""
     first = int(numbers[0]) if len(numbers) else 0
     last = first + len(numbers)
     return slice(first, last) if np.array_equal(numbers, np.arange(first, last)) else numbers

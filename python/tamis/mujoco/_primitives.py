@@ -1,7 +1,7 @@
-"""Triangles around geoms that MuJoCo knows by a formula.
+"""Triangles around the primitive geoms of MuJoCo.
 
-Each solid lies within its triangles, which are nowhere farther out than the tolerance: who stays out of these does not
-touch it.
+Each solid lies within its triangles, and no point of these is farther from the solid than the tolerance. So a surface
+that stays outside the triangles does not touch the solid.
 """
 
 from __future__ import annotations
@@ -13,32 +13,35 @@ import numpy as np
 from tamis._arrays import Doubles, Indices
 from tamis._errors import InvalidOptions
 
-_MOST_RINGS = 518  # that is 8 rings^2 triangles, two million
+_MOST_RINGS = 518  # a ball has 8 rings^2 triangles: two million
 
 
 @dataclass(frozen=True)
 class Shape:
-    """Triangles, seen counter-clockwise from outside."""
+    """Triangles, counter-clockwise as seen from outside."""
 
     points: Doubles
     faces: Indices
 
 
 def box(half: Doubles) -> Shape:
-    """Twelve triangles; half sizes."""
+    """Return the twelve triangles of a box with these half sizes, shape (3,)."""
     corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) * half
     sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     return Shape(corners, _triangles([t for a, b, c, d in sides for t in ((a, b, c), (a, c, d))]))
 
 
 def around_square(half: float) -> Shape:
-    """One triangle in the plane z = 0 around a square: no edge in it, on which what rests there could lie exactly."""
+    """Return one triangle in the plane z = 0 around a square of this half side.
+
+    The square has no edge inside, on which a feature that rests there could lie exactly.
+    """
     points = half * np.array([[-4, -2, 0], [4, -2, 0], [0, 6, 0]], float)
     return Shape(points, _triangles([(0, 1, 2)]))
 
 
 def cylinder(radius: float, half_length: float, tolerance: float) -> Shape:
-    """Along z, with flat ends."""
+    """Return triangles around a cylinder along z with flat ends."""
     n = max(3, int(np.ceil(np.pi / np.arccos(radius / (radius + tolerance)))))
     angles, corner = 2 * np.pi * np.arange(n) / n, _beyond_rounding(radius / np.cos(np.pi / n))
     ring = np.column_stack([corner * np.cos(angles), corner * np.sin(angles), np.full(n, half_length)])
@@ -51,13 +54,19 @@ def cylinder(radius: float, half_length: float, tolerance: float) -> Shape:
 
 
 def ellipsoid(half: Doubles, tolerance: float) -> Shape:
-    """Half axes. The ball of the largest one, each axis shrunk: that brings no two points farther apart."""
+    """Return triangles around an ellipsoid with these half axes, shape (3,).
+
+    They are those of the ball with the largest half axis, shrunk along each axis: no two points come farther apart.
+    """
     ball = capsule(float(half.max()), 0.0, tolerance)
     return Shape(ball.points * (half / half.max()), ball.faces)
 
 
 def capsule(radius: float, half_length: float, tolerance: float) -> Shape:
-    """Along z; a ball if its half length is 0. The ball's halves, moved apart, are as far out as the ball is."""
+    """Return triangles around a capsule along z, or a ball if `half_length` is 0.
+
+    The halves of the ball's triangles, moved apart, are no farther out than those of the ball.
+    """
     rings = 1
     while radius * (_size_around_ball(rings) - 1) > tolerance:
         rings += max(1, rings // 8)
@@ -82,7 +91,7 @@ def capsule(radius: float, half_length: float, tolerance: float) -> Shape:
 
 
 def _half_ball(rings: int) -> tuple[Doubles, Indices]:
-    """Of radius 1, z >= 0: a pole, then rings of 4, 8, 12, ... vertices at equal latitudes, down to the equator."""
+    """Return half a unit ball, z >= 0: a pole, then rings of 4, 8, 12, ... vertices, equally spaced in latitude."""
     points, faces, first = [np.array([[0.0, 0, 1]])], [], [0]
     for ring in range(1, rings + 1):
         angle, around = np.pi / 2 * ring / rings, 2 * np.pi * np.arange(4 * ring) / (4 * ring)
@@ -96,7 +105,7 @@ def _half_ball(rings: int) -> tuple[Doubles, Indices]:
 
 
 def _between_rings(ring: int, first: list[int]) -> list[tuple[int, int, int]]:
-    """From a ring to the one above it: in each quarter one triangle more that points up than down."""
+    """Return the triangles from a ring to the ring above: in each quarter `ring` that point up, and one less down."""
 
     def inner(quarter: int, i: int) -> int:
         return first[ring - 1] + (quarter * (ring - 1) + i) % max(1, 4 * (ring - 1))
@@ -109,7 +118,7 @@ def _between_rings(ring: int, first: list[int]) -> list[tuple[int, int, int]]:
 
 
 def _size_around_ball(rings: int) -> float:
-    """The factor that takes all planes of the triangles beyond the unit ball."""
+    """Return the factor by which to scale the triangles so that all their planes lie outside the unit ball."""
     points, faces = _half_ball(rings)
     a, b, c = points[faces].transpose(1, 0, 2)
     normals = np.cross(b - a, c - a)

@@ -1,4 +1,4 @@
-"""Follows a simulation step by step, and proves each step free of contacts or names them."""
+"""Follows a simulation step by step, and proves each step free of contacts or names the contacts."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ from tamis.mujoco._steps import RefereedStep, RefereeReport, meetings_of
 from tamis.mujoco._surfaces import may_touch, name_of, surfaces_of
 from tamis.mujoco._watch import Watch
 
-# Of the size of the scene: how far positions that MuJoCo computes may be from those that the chains of joints give.
+# Tolerance of positions by chains of joints against MuJoCo's, relative to the largest coordinate of the scene.
 _SEAM = 1e-10
-# Of the largest coordinate of a joint, and 1: how far positions may be from where velocities take them in a step.
+# Tolerance of joint positions after a step against those by its velocities, relative to 1 + the largest |qpos|.
 _STEP_SEAM = 1e-9
 
 
 class Referee:
-    """Asks of each step of a MuJoCo simulation whether anything has passed through anything.
+    """Checks each step of a MuJoCo simulation: is it free of contacts, and if not, what touches what?
 
     >>> referee = tamis.mujoco.Referee(model, data)
     >>> while data.time < 1:
@@ -38,39 +38,44 @@ class Referee:
     ...     if not step.is_free:
     ...         print(step)
 
-    Surfaces are those that MuJoCo collides: flexes (triangles, the shell of solids, edges of ropes) and geoms with a
-    bit for contacts. Meshes are taken as their own triangles, whose hull MuJoCo collides. Spheres, capsules, cylinders
-    and ellipsoids become triangles around them, at most `tolerance` farther out: who comes from outside and does not
-    touch these does not touch the true surface. A plane is a triangle around a square.
+    Surfaces are those that MuJoCo collides: flexes (triangles, the shell of solids, edges of ropes), and geoms that can
+    collide. A mesh is its own triangles; MuJoCo collides its convex hull. Spheres, capsules, cylinders and ellipsoids
+    become triangles around them, at most `tolerance` farther out: a surface outside that does not touch these does not
+    touch the true surface. A plane is a triangle around a square.
 
-    Between two states the motion is MuJoCo's own: each joint at the constant velocity that takes one to the other, each
-    body carried by its parents on its curve; vertices of flexes go straight, in the frame of what carries them; mocap
-    bodies go straight and turn about a fixed axis. Free means: no two surfaces touch at any time of the step. That a
-    run is free is this of every step, and of the first state that nothing passes through anything there:
-    `intersections`.
+    Between two states the motion is MuJoCo's own. Each joint moves at the constant velocity that leads from one state
+    to the other, and bodies are carried on curves by all joints above them. Vertices of flexes go straight in the frame
+    of the body that carries them. Mocap bodies go straight and turn about a fixed axis. A step is free if no two
+    surfaces touch at any time of it. A run is free if its first state has no `intersections` and every step is free.
 
     Parameters
     ----------
     model : mujoco.MjModel
-        Which surfaces may touch is what its bits, bodies and lists of pairs say. Read once: it may not change.
+        Its bits, bodies, parents and lists of pairs say which surfaces may touch. It is read once and must not change.
     data : mujoco.MjData
         The simulation to follow, from its present state on. It is read, never written.
     min_separation : float
-        d >= 0, in the model's unit of length: contact means a distance <= d.
+        d >= 0, in the model's unit of length: contact means Euclidean distance <= d.
     tolerance : float
-        > 0, in the model's unit of length: how far outside a curved surface its triangles may be. Less than the radius
-        of a flex, so that one that rests on the surface does not touch the triangles.
+        > 0, in the model's unit of length: the largest distance of triangles from the curved surface that they
+        surround. Take less than the radius of a flex, so that a flex at rest on the surface does not touch them.
     plane_reach : float, optional
-        > 0: half the side of the square of a plane that may be reached; by default ten times the model's extent.
+        > 0, in the model's unit of length: half the side of the square that stands for a plane. By default ten times
+        the model's extent.
     threads : int
-        To use; 0: all. Speed only.
+        The number of threads to use, >= 0; 0: all. Changes speed only.
+
+    Attributes
+    ----------
+    detector : Detector
+        The detector that is asked. Each surface is a group of it, with the surface's place in `names` as its number.
 
     Raises
     ------
     InvalidMesh
-        A height field or a signed distance field that collides; no surface at all.
+        A height field or a signed distance field collides, or the model has no surface.
     InvalidOptions
-        An option outside its range; a tolerance so small that a round surface needs more than two million triangles.
+        An option outside its range, or a tolerance so small that a round surface needs more than two million triangles.
     """
 
     def __init__(
@@ -106,43 +111,44 @@ class Referee:
 
     @property
     def names(self) -> list[str]:
-        """Of the surfaces, as the model names them; a surface is a group of `detector`, by its number in this list."""
+        """The model's names of the surfaces, in the order of the detector's groups."""
         return [part.name for part in self._surfaces.parts]
 
     @property
     def report(self) -> RefereeReport:
-        """How many steps were checked so far, and what met in them."""
+        """The number of steps that were checked so far, and the surfaces that met in them."""
         return self._report
 
     @property
     def positions(self) -> Doubles:
-        """Of all vertices of `detector.mesh` in the last state that was seen, shape (n, 3)."""
+        """Where the vertices of `detector.mesh` are in the last state that was seen, shape (n, 3)."""
         return self._places.points
 
     def restart(self) -> None:
-        """Go on from the present state, whatever was before: after a reset, or when positions were set by hand."""
+        """Go on from the present state. Call it after a reset, or when positions were set by hand."""
         self._look()
 
     def intersections(self) -> Intersections:
-        """Find what passes through what in the last state that was seen, exactly; the first state is the one to ask."""
+        """Find every intersection in the last state that was seen. Decided exactly. Ask before the first step."""
         return self._pins.without_intersections(self.detector.intersections(self._places.points))
 
     def check(self) -> RefereedStep:
-        """Prove the step from the last state that was seen to the present one free, or name what touches.
+        """Prove the step from the last state that was seen to the present state free, or name its contacts.
 
         Call it after every `mj_step`.
 
         Returns
         -------
         RefereedStep
-            Its contacts, with the surfaces they are between and the simulated time of each.
+            The contacts of the step, and the pairs of surfaces that meet, each with the simulated time.
 
         Raises
         ------
         InvalidStep
-            The simulation has gone on by more or less than one step, or a body has turned too far in one; or positions
-            are not where the velocities take them, as where they were set by hand. Call `restart` where that was meant.
-            What collides was changed in the model: make another referee.
+            The simulation has gone on by more or less than one step. A body has turned by (nearly) half a turn or more.
+            Positions are not where the velocities take them, for example because they were set by hand: call `restart`
+            if that was intended. A vertex has left the square of a plane. Or the model's surfaces were changed: make
+            another referee.
         """
         start, span = self._places.points, (self._places.now.time, self._data.time)
         self._require_one_step(*span)
@@ -161,11 +167,11 @@ class Referee:
         self._require_reach()
 
     def _require_reach(self) -> None:
-        """No vertex may leave the square that stands for a plane."""
+        """Raise if a vertex has left the square that stands for a plane."""
         if not self._planes:
             return
         moved, now = self._places.moving_points, self._places.now
-        # The farthest that a coordinate can tell, which is next to always enough.
+        # A bound by the largest coordinate, which is nearly always enough.
         most = max(np.maximum.reduce(moved, axis=None, initial=0), -np.minimum.reduce(moved, axis=None, initial=0))
         for plane in self._planes:
             centre = now.geom_xpos[plane.geom]
@@ -180,7 +186,7 @@ class Referee:
                 )
 
     def _motion(self, start: Doubles) -> Motion:
-        """Return the way from the state before to the present one: straight where nothing turns, else a path."""
+        """Return the motion from the state before to the present one: a step if nothing turns, else a path."""
         path, end = self._places.path(start), self._places.points
         if path is None:
             return StraightMotion(start, end)
@@ -213,7 +219,7 @@ class Referee:
             )
 
     def _require_integrated(self) -> None:
-        """Positions are where the velocities of this step take them; with RK4 they show no such thing."""
+        """Raise if positions are not where this step's velocities take them; not with RK4, which goes another way."""
         before, data, step = self._places.now.qpos, self._data, self._model.opt.timestep
         if self._model.opt.integrator == mujoco.mjtIntegrator.mjINT_RK4:
             return

@@ -1,4 +1,4 @@
-"""What a referee says of each step, and of a whole run."""
+"""A referee's answers: about each step, and about a whole run."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ class Meeting(NamedTuple):
     Attributes
     ----------
     step : int
-        Counted from 0.
+        The number of the step, from 0.
     first, second : str
-        The surfaces, as the model names them: twice the same is a flex with itself.
+        The model's names of the surfaces; twice the same name for a flex with itself.
     contacts : int
-        Pairs of features that touch.
+        The number of pairs of features that touch.
     time : float
-        In simulated seconds: before it these two are proven apart in this step.
+        In simulated seconds: before this time the two are proven apart in this step.
     certified : bool
-        One of the contacts at least is proven to happen. False: on their curves they could not be told from free.
+        Whether at least one contact is proven. False: on their curves none could be told from a free pair.
     """
 
     step: int
@@ -50,13 +50,13 @@ class RefereedStep(NamedTuple):
     Attributes
     ----------
     step : int
-        Counted from 0.
+        The number of the step, from 0.
     start, end : float
-        In simulated seconds.
+        The simulated times of its ends, in seconds.
     contacts : Contacts
-        Times are fractions of the step; vertices are those of `Referee.detector.mesh`.
+        The contacts. Times are fractions of the step; vertices are those of `Referee.detector.mesh`.
     meetings : list of Meeting
-        The same by pairs of surfaces, the earliest first.
+        The same contacts by pairs of surfaces, the earliest first.
     """
 
     step: int
@@ -67,7 +67,7 @@ class RefereedStep(NamedTuple):
 
     @property
     def is_free(self) -> bool:
-        """True: no two surfaces touch at any time of the step, proven."""
+        """Whether no two surfaces touch at any time of the step. True is a proof."""
         return not self.meetings
 
     def __str__(self) -> str:
@@ -77,14 +77,14 @@ class RefereedStep(NamedTuple):
 
 @dataclass
 class RefereeReport:
-    """A run so far.
+    """The steps of a run so far.
 
     Attributes
     ----------
     steps : int
-        How many were checked.
+        The number of steps that were checked.
     meetings : list of Meeting
-        Of all steps, in their order.
+        The meetings in all steps, in the order of the steps.
     """
 
     steps: int = 0
@@ -92,16 +92,16 @@ class RefereeReport:
 
     @property
     def is_free(self) -> bool:
-        """True: no step has a contact."""
+        """Whether no step has a contact. True is a proof."""
         return not self.meetings
 
     @property
     def bad_steps(self) -> list[int]:
-        """The steps that have contacts."""
+        """The numbers of the steps that have contacts, ascending."""
         return sorted({meeting.step for meeting in self.meetings})
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Make a DataFrame, one row a meeting. pandas must be installed."""
+        """Return a DataFrame with one row a meeting. pandas must be installed."""
         import pandas as pd
 
         return pd.DataFrame(self.meetings, columns=list(Meeting._fields))
@@ -116,7 +116,7 @@ class RefereeReport:
 def meetings_of(
     contacts: Contacts, groups: Indices, names: list[str], step: int, span: tuple[float, float]
 ) -> list[Meeting]:
-    """Gather contacts by the surfaces they are between; `span` is the simulated time of both ends of the step."""
+    """Gather contacts by pairs of surfaces; `span` holds the simulated times of both ends of the step."""
     if not len(contacts):
         return []
     second = contacts.vertices[np.arange(len(contacts)), FIRST_COUNTS[contacts.kind]]

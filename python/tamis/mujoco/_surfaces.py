@@ -21,9 +21,9 @@ _NO_FACES = np.empty((0, 3), np.int32)
 
 @dataclass(frozen=True)
 class Surface:
-    """One flex, or one geom. Its vertices are `points` in the frames of `bodies`.
+    """One flex, or one geom. Vertex i is at `points[i]` in the frame of the body `bodies[i]`.
 
-    Nodes move the vertices of some flexes (`is_by_nodes`): where those are, MuJoCo says.
+    The vertices of some flexes are moved by nodes (`is_by_nodes`); MuJoCo computes their positions.
     """
 
     name: str
@@ -39,7 +39,7 @@ class Surface:
 
 @dataclass(frozen=True)
 class Surfaces:
-    """All of them, one after the other; each is a group of its own."""
+    """All surfaces as one mesh, their vertices in the order of `parts`; each surface is a group."""
 
     parts: list[Surface]
     mesh: Mesh
@@ -47,7 +47,7 @@ class Surfaces:
 
 
 def surfaces_of(model: Any, tolerance: float, plane_reach: float) -> Surfaces:
-    """Triangulate what the model collides; `tolerance` is how far outside a curved surface triangles may be."""
+    """Triangulate all surfaces that can collide; `tolerance`: how far triangles may be outside a curved surface."""
     parts = [_flex(model, i) for i in range(model.nflex)]
     for geom in _geoms_that_touch(model):
         shape = _shape(model, geom, tolerance, plane_reach)
@@ -73,14 +73,14 @@ def surfaces_of(model: Any, tolerance: float, plane_reach: float) -> Surfaces:
 
 
 def _geoms_that_touch(model: Any) -> list[int]:
-    """Those with a bit for contacts, or in a pair of the model's list."""
+    """Return the geoms that can collide: with a bit in contype or conaffinity, or in the model's list of pairs."""
     touches = (model.geom_contype | model.geom_conaffinity) != 0
     touches[model.pair_geom1] = touches[model.pair_geom2] = True
     return [int(geom) for geom in np.flatnonzero(touches)]
 
 
 def name_of(model: Any, kind: Any, number: int) -> str:
-    """Return the name that the model gives it, or its kind and number."""
+    """Return the model's name of an object, or its kind and number if it has no name."""
     given = mujoco.mj_id2name(model, kind, number)
     return given or f"{kind.name.removeprefix('mjOBJ_').lower()} {number}"
 
@@ -107,7 +107,7 @@ def _flex(model: Any, flex: int) -> Surface:
 
 
 def _bodies_of_flex(model: Any, flex: int, first: int, count: int) -> Indices:
-    """The body that carries each vertex; of a flex that nodes move, one that carries them all."""
+    """Return the body that carries each vertex; for a flex that nodes move, the body of its first node for all."""
     if not model.flex_interp[flex]:
         return np.array(model.flex_vertbodyid[first : first + count], np.int32)
     node = int(model.flex_nodeadr[flex])
@@ -154,7 +154,7 @@ def _in_body(model: Any, geom: int, points: Doubles) -> Doubles:
 
 
 def may_touch(model: Any, parts: list[Surface]) -> npt.NDArray[np.bool_]:
-    """Which surfaces MuJoCo itself would let collide: by bits, bodies, and the model's lists."""
+    """Return which surfaces MuJoCo would collide, shape (parts, parts): by bits, bodies, and the model's lists."""
     allowed = np.zeros((len(parts), len(parts)), bool)
     excluded = {int(signature) for signature in model.exclude_signature}
     listed = {frozenset(pair) for pair in zip(model.pair_geom1.tolist(), model.pair_geom2.tolist())}
@@ -177,7 +177,11 @@ def _may_touch(model: Any, a: Surface, b: Surface, excluded: set[int], listed: s
 
 
 def _bodies_may_touch(model: Any, a: int, b: int, excluded: set[int]) -> bool:
-    """Not within one rigid body, nor from a body to its parent unless that is the world; one must have a joint."""
+    """Whether geoms of two bodies may touch, as in MuJoCo.
+
+    Joints must carry one of them. Bodies that are welded together may not touch, excluded pairs may not, and a body may
+    not touch its parent unless that is the world (or the flag for that is off).
+    """
     if not (_is_carried_by_joints(model, a) or _is_carried_by_joints(model, b)):
         return False
     weld_a, weld_b = int(model.body_weldid[a]), int(model.body_weldid[b])
@@ -190,7 +194,7 @@ def _bodies_may_touch(model: Any, a: int, b: int, excluded: set[int]) -> bool:
 
 
 def _is_carried_by_joints(model: Any, body: int) -> bool:
-    """Has the body, or one that it hangs on, a joint? What stands and mocap bodies have none."""
+    """Whether the body or one above it has a joint: false for static bodies and mocap bodies."""
     while body and not model.body_dofnum[body]:
         body = int(model.body_parentid[body])
     return body != 0
@@ -203,7 +207,7 @@ def _bits(model: Any, part: Surface) -> tuple[int, int]:
 
 
 def vertices_by_nodes(model: Any, parts: list[Surface]) -> Iterator[tuple[slice, slice]]:
-    """Of each flex that nodes move, where its vertices are: in the mesh, and in MuJoCo's list of all."""
+    """Yield, for each flex that nodes move, its vertices in the mesh and in MuJoCo's arrays of all flex vertices."""
     first = 0
     for part in parts:
         count = len(part.points)

@@ -1,10 +1,10 @@
-"""The one version of MuJoCo whose motion this package knows."""
+"""The one version of MuJoCo that this package supports."""
 
 WRITTEN_FOR = "4.0.0"
 
 
 def complaint(installed: str) -> str:
-    """Return what is wrong with a version; empty if nothing is."""
+    """Return why a version is not supported; empty if it is."""
     if installed == WRITTEN_FOR:
         return ""
     return (

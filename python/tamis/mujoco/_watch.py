@@ -1,4 +1,4 @@
-"""What a referee has read of a model once, and must find so in every step."""
+"""Checks that the part of a model that a referee read once has not changed."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ _OF_FLEXES = ("flex_contype", "flex_conaffinity", "flex_selfcollide")
 
 
 class Watch:
-    """Refuses a model in which geoms that collide have changed, or where bodies stand that do not move."""
+    """Raises if the surfaces that collide have changed in the model, or static bodies have another place."""
 
     def __init__(self, model: Any, states: list[Any], parts: list[Surface], is_moving: Any) -> None:
         geoms = np.array([part.geom for part in parts if part.geom >= 0], np.intp)
         bodies = np.unique(np.concatenate([part.bodies for part in parts]))
         standing = bodies[~is_moving[bodies]]
         chosen = [(name, slice(None)) for name in _OF_ALL_GEOMS + _OF_FLEXES] + [(name, geoms) for name in _OF_SURFACES]
-        # Views of the model's memory, and of that of the states that will be asked about.
+        # Views of the memory of the model, and of both states that `require_same` is called with.
         self._model = [(name, getattr(model, name), which) for name, which in chosen]
         self._states = {id(state): [(name, getattr(state, name), standing) for name in _OF_BODIES] for state in states}
         self._known = [array[which].tobytes() for _, array, which in self._model + self._states[id(states[0])]]
 
     def require_same(self, state: Any) -> None:
-        """Look at the model, and at one of the states, whose kinematics are computed."""
+        """Raise if the model, or `state` with its kinematics computed, differs from what it was at first."""
         for (name, array, which), known in zip(self._model + self._states[id(state)], self._known):
             if array[which].tobytes() != known:
                 raise InvalidStep(

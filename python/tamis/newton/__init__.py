@@ -1,4 +1,4 @@
-"""Newton's cloth without a pass-through: Tamis in place of the self-contact detection of its VBD solver.
+"""Newton: Tamis in place of the self-contact detection of its VBD solver, so that cloth never passes through itself.
 
 ::
 
@@ -7,11 +7,11 @@
 
     solver = newton.solvers.SolverVBD(model, iterations=10, particle_enable_self_contact=True)
     attachment = tamis.newton.attach(solver)
-    solver.step(state_in, state_out, control, contacts, dt)  # as ever
+    solver.step(state_in, state_out, control, contacts, dt)  # as before
 
-Every step then leads on straight lines, from the floats that it starts with to the floats that it ends with, past no
-contact: proven. No buffer has a size to choose. Needs `newton` and `warp-lang` in the versions that
-``pip install '.[newton]'`` takes, in the clone.
+The straight motion of every step, from the floats that it starts with to the floats that it ends with, is then free of
+contacts, proven. No buffer sizes need be chosen. Needs `newton` and `warp-lang` in the versions of
+``pip install '.[newton]'`` in the clone.
 """
 
 from tamis.newton._attachment import Attachment, attach

@@ -19,33 +19,35 @@ from tamis.newton._versions import check_versions
 def attach(
     solver: Any, *, one_ring: bool = True, keep: float = 0.1, min_separation: float = 0.0, threads: int = 0
 ) -> Attachment:
-    """Let Tamis detect self-contacts for a VBD solver, and say how far its particles may go.
+    """Let Tamis detect self-contacts for a VBD solver, and bound how far its particles go.
 
     Parameters
     ----------
     solver : newton.solvers.SolverVBD
-        With `particle_enable_self_contact`, and no graph of it captured: what a graph replays is Newton's own.
+        Made with `particle_enable_self_contact`. No CUDA graph of it may be captured: a graph would not call Tamis.
     one_ring : bool
-        Count pairs that an edge joins, which Newton leaves to bending. Their contact forces stay those of Newton's
-        `particle_topological_contact_filter_threshold`.
+        Whether pairs count that an edge joins; Newton leaves these to bending. Their contact forces still depend on
+        Newton's `particle_topological_contact_filter_threshold`.
     keep : float
-        0 < keep < 1: of its distance at the start of a step, and beyond `min_separation`, every pair keeps so much.
+        The fraction of its distance at the start of a step, as far as that exceeds `min_separation`, that every pair
+        keeps; 0 < keep < 1.
     min_separation : float
-        d >= 0 in the model's unit: no pair comes nearer.
+        d >= 0, in the model's unit of length: no pair comes nearer.
     threads : int
-        For Tamis; 0: all. Speed only.
+        The number of threads that Tamis uses, >= 0; 0: all. Changes speed only.
 
     Returns
     -------
     Attachment
-        To ask what was done, and to let go.
+        Reports what was done; its `detach` undoes `attach`.
 
     Raises
     ------
     Error
-        Another version of newton or warp than the one known.
+        newton or warp-lang is not installed, or has another version than the supported one.
     InvalidOptions
-        A solver that is none, that has no self-contact, or whose rigid bodies take part in its truncation.
+        An option outside its range; `solver` is no SolverVBD, has no self-contact, has a collision pipeline or an
+        attachment, or truncates rigid bodies, too.
     """
     check_versions()
     _check_solver(solver)
@@ -70,14 +72,14 @@ def _check_solver(solver: Any) -> None:
 
 
 class Attachment:
-    """What `attach` made; the solver holds it.
+    """Tamis in one solver, as `attach` returns it. The solver keeps it alive.
 
     Attributes
     ----------
     detector : Detector
-        That is asked; its mesh has Newton's triangles, in their order.
+        The detector that is asked; its mesh has Newton's triangles, in their order.
     report : AttachmentReport
-        What was done so far.
+        Counts and times so far.
     """
 
     def __init__(self, solver: Any, one_ring: bool, keep: float, min_separation: float, threads: int) -> None:
@@ -99,13 +101,13 @@ class Attachment:
             "_penetration_free_truncation": self._move,
             "_initialize_particles": self._initialize,
             "_solve_particle_iteration": self._iterate,
-            "rebuild_bvh": lambda state: None,  # nobody asks it any more
+            "rebuild_bvh": lambda state: None,  # its hierarchy is no longer used
         }
         self._original = {name: getattr(solver, name) for name in self._replaced}
         vars(solver).update(self._replaced)
 
     def detach(self) -> None:
-        """Give the solver its own detection back; its buffers are those of the last pairs."""
+        """Give the solver its own detection back. Its buffers keep the last pairs."""
         for name in self._replaced:
             vars(self._solver).pop(name, None)
 
@@ -123,7 +125,10 @@ class Attachment:
         self.report.detection_seconds += perf_counter() - begin
 
     def _move(self, state: Any, contacts: Any) -> None:
-        """Go where the solver wants, as far as its contact forces know of what is near. `_settle` proves it."""
+        """Move each particle as the solver wants, but only as far as the contact lists hold all near pairs.
+
+        `_settle` makes the result free of contacts.
+        """
         import warp as wp
         from newton._src.solvers.vbd.particle_vbd_kernels import apply_truncation_ts
 
@@ -157,7 +162,7 @@ class Attachment:
         self._end = state_out.particle_q.numpy().copy()
 
     def _look_at_start(self, start: Any) -> None:
-        """Say if the caller has moved vertices through others since the last step, or begins so."""
+        """Warn if the caller has moved vertices through others since the last step, or starts with intersections."""
         begin = perf_counter()
         self.report.steps += 1
         if self._end is None:
@@ -174,10 +179,11 @@ class Attachment:
         self.report.truncation_seconds += perf_counter() - begin
 
     def _settle(self, state: Any) -> None:
-        """Hold back what would come too near on the way from the start of the step.
+        """Hold back vertices that would come too near to others on the way from the start of the step.
 
-        That is what the last iteration leads to. Those before are held back where something is near, so that contact
-        forces see positions that nothing has passed; where nothing is, no vertex goes as far as half the way to others.
+        The last iteration needs it, as the step ends there. Iterations before are held back if any pair is near, so
+        that contact forces see positions at which nothing has passed through anything. If no pair is near, no vertex
+        goes half the way to another feature.
         """
         if self._iterations_left > 0 and not self._is_near:
             return

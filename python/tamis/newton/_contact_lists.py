@@ -1,4 +1,4 @@
-"""The lists that Newton's contact forces are summed from: all pairs that are near, in arrays of just their size."""
+"""The lists of near pairs from which Newton sums contact forces, in arrays of exactly their size."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tamis.newton._surface import Surface, keys
 
 
 class ContactLists:
-    """Fills the solver's `TriMeshCollisionInfo`, leaving out the pairs that Newton leaves out of its forces."""
+    """Fills the solver's `TriMeshCollisionInfo`, without the pairs that Newton leaves out of its forces."""
 
     def __init__(self, solver: Any, surface: Surface) -> None:
         self._solver = solver
@@ -26,7 +26,7 @@ class ContactLists:
         )
 
     def fill(self, near: NearPairs) -> None:
-        """Take these pairs in place of those of the last time."""
+        """Replace the lists by those of these pairs."""
         vertex_face, edge_edge = self._surface.pairs(self._beyond_rest(near))
         vertex_face = _without(vertex_face, self._without[0])
         edge_edge = _without(np.concatenate([edge_edge, edge_edge[:, ::-1]]), self._without[1])
@@ -34,7 +34,7 @@ class ContactLists:
         self._put("edge_colliding_edges", edge_edge, self._surface.edge_count)
 
     def _beyond_rest(self, near: NearPairs) -> NearPairs:
-        """Return those that are not near each other in the rest shape, where Newton is to leave such out."""
+        """Return the pairs without those near each other in the rest shape, if Newton's options leave these out."""
         radius: float = self._solver.particle_rest_shape_contact_exclusion_radius
         if not radius > 0:
             return near
@@ -42,7 +42,7 @@ class ContactLists:
         return near[distance_of(near.kind, near.vertices, rest).distance >= radius]
 
     def _put(self, name: str, pairs: Indices, rows: int) -> None:
-        """Write pairs of a row and what is near it, row by row."""
+        """Write pairs (row, neighbour), sorted by row, with the count and the offset of each row."""
         import warp as wp
 
         counts = np.bincount(pairs[:, 0], minlength=rows).astype(np.int32)
@@ -59,7 +59,7 @@ class ContactLists:
 
 
 def _filtered(values: Any, offsets: Any) -> npt.NDArray[np.int64]:
-    """Return the keys of what a filter of Newton's leaves out: rows of values."""
+    """Return the sorted keys of the pairs that a filter of Newton's leaves out: row i has values[offsets[i]...]."""
     if values is None:
         return np.zeros(0, np.int64)
     rows = np.repeat(np.arange(len(offsets) - 1), np.diff(offsets.numpy()))

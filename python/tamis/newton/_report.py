@@ -1,4 +1,4 @@
-"""What an attachment has done."""
+"""The report of an attachment."""
 
 from __future__ import annotations
 
@@ -7,18 +7,19 @@ from dataclasses import dataclass
 
 @dataclass
 class AttachmentReport:
-    """Counts and seconds since `attach`.
+    """Counts and times since `attach`.
 
     Attributes
     ----------
     steps : int
-        That the solver has taken.
+        The number of steps of the solver.
     shortened : int
-        Times that positions would have led to a contact, or too near one, and were held back.
+        How often vertices were held back because they would have touched others or come too near.
     moved_into_contact : int
-        Steps before which the caller moved vertices (pinned ones, say) through others.
+        The number of steps that start with an intersection, or before which the caller moved vertices, such as pinned
+        ones, through others.
     detection_seconds, truncation_seconds : float
-        Spent on what is near, and on where vertices may go.
+        Wall-clock time spent on finding near pairs, and on finding where vertices may go.
     """
 
     steps: int = 0

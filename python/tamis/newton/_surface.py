@@ -1,4 +1,4 @@
-"""What Newton's model moves, as Tamis has it, and how rows of the one lead to rows of the other."""
+"""The deformable surface of Newton's model as a mesh of Tamis, and the rows of its features in Newton's arrays."""
 
 from __future__ import annotations
 
@@ -15,13 +15,23 @@ from tamis._tables._near import NearPairs
 
 
 def _two_columns(edge_indices: Any) -> Indices:
-    """Return the ends of Newton's edges, which come as the two vertices opposite, then these."""
+    """Return the ends of Newton's edges, shape (e, 2). Newton's rows are the two opposite vertices, then the ends."""
     rows: Indices = np.zeros((0, 4), np.int32) if edge_indices is None else edge_indices.numpy().reshape(-1, 4)
     return rows[:, 2:]
 
 
 class Surface:
-    """Triangles, edges and particles of a model, and the worlds that they are in."""
+    """The triangles, edges and particles of a model, and the worlds that they are in.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        Newton's triangles in their order; edges of no triangle are loose edges, other particles loose points.
+    edge_count : int
+        The number of rows of Newton's list of edges.
+    held : array of int, shape (h,)
+        The particles that no step moves and that no edge joins to one that moves.
+    """
 
     def __init__(self, model: Any) -> None:
         faces = model.tri_indices.numpy().reshape(-1, 3)
@@ -37,7 +47,7 @@ class Surface:
         self.held = self._find_held(model)
 
     def _find_held(self, model: Any) -> npt.NDArray[np.int64]:
-        """Return the particles that no step moves, nor any that an edge joins to them."""
+        """Return the particles that no step moves and that no edge joins to one that moves."""
         from newton import ParticleFlags
 
         is_active = model.particle_flags.numpy() & ParticleFlags.ACTIVE != 0
@@ -48,12 +58,12 @@ class Surface:
         return np.flatnonzero(~is_joined)
 
     def detector(self, *, one_ring: bool, min_separation: float, threads: int) -> Detector:
-        """Return one that asks about all pairs of a world, and of each world and what is in all of them.
+        """Return a detector of all pairs within one world; particles that are in all worlds belong to each of them.
 
-        Pairs of which no step moves a vertex are left out.
+        Pairs are left out if no step moves any of their vertices.
         """
         groups = 2 * (self._worlds + 1)  # world -1 is in all worlds
-        groups[self.held] += 1  # all vertices of a feature that has such a one first are held
+        groups[self.held] += 1  # if a feature's first vertex is held, no step moves any of its vertices
         of_group, groups = np.unique(groups, return_inverse=True)
         world, is_held = of_group // 2, of_group % 2 == 1
         share_world = (world[:, None] == world) | (world == 0) | (world == 0)[:, None]
@@ -69,7 +79,7 @@ class Surface:
     def pairs(self, near: NearPairs) -> tuple[Indices, Indices]:
         """Return vertex and triangle of each vertex-face pair, and Newton's rows of both edges of each edge-edge pair.
 
-        Edges that Newton has no row for exert no force there.
+        Pairs with an edge of which Newton has no row are left out: such edges exert no force there.
         """
         features = near.features(self.mesh)
         edges = self._newton_edge[features[near.kind == PairKind.EDGE_EDGE]]
@@ -77,5 +87,5 @@ class Surface:
 
 
 def keys(pairs: npt.NDArray[Any]) -> npt.NDArray[np.int64]:
-    """Return a number for each pair of rows."""
+    """Return an integer for each pair of rows: the first in the upper 32 bits, the second in the lower."""
     return (pairs[:, 0].astype(np.int64) << 32) | pairs[:, 1].astype(np.int64)

@@ -1,4 +1,4 @@
-"""Which versions of the host are known: what is replaced there is private to it, and changes from one to the next."""
+"""The supported versions of Newton and Warp: the functions that are replaced are private, and change with versions."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ KNOWN = {"newton": "1.8.0", "warp-lang": "1.19.0"}
 
 
 def check_versions() -> None:
-    """Refuse packages that are not there, or of another version."""
+    """Raise if a package is not installed or has another version."""
     for package, known in KNOWN.items():
         try:
             found = metadata.version(package)

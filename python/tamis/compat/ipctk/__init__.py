@@ -1,11 +1,11 @@
-"""The calls of ipctk's users for continuous collision detection, by their names and argument orders.
+"""The part of ipctk's interface for continuous collision detection: the same names and orders of arguments.
 
 >>> import tamis.compat.ipctk as ipctk  # instead of: import ipctk
 
-Broad phases are accepted and ignored: Tamis has its own, and the answer is that of all pairs. The narrow phases decide
-how much of its distance every pair keeps; contacts themselves are decided by Tamis, exactly. Everything else of ipctk
-(distances, barriers, potentials, friction) is not here: keep importing ipctk for it, with a mesh of its own.
-`tamis.bridge.ipctk` hands what Tamis finds to it.
+Broad phases are accepted and ignored: Tamis has its own, and the answer is about all pairs. Narrow phases decide only
+how much of its distance every pair keeps; Tamis decides contacts exactly. The rest of ipctk (distances, barriers,
+potentials, friction) is not here: import ipctk for it, and give it a mesh of its own. `tamis.bridge.ipctk` converts
+near pairs and contacts for it.
 """
 
 from typing import Any

@@ -1,4 +1,4 @@
-"""Broad phases by ipctk's names: Tamis has its own."""
+"""Broad phases with ipctk's names, which change nothing: Tamis has its own."""
 
 
 class BroadPhase:

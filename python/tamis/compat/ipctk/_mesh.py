@@ -1,4 +1,4 @@
-"""The mesh as ipctk has it."""
+"""The mesh of ipctk's interface."""
 
 from __future__ import annotations
 
@@ -18,16 +18,21 @@ from tamis.compat.ipctk._threads import get_num_threads
 
 
 class CollisionMesh:
-    """Topology, and which vertices may collide. A vertex of no face and no edge is a point, which may collide too.
+    """The topology, and which vertices may collide. A vertex of no face and no edge is a loose point and may collide.
 
     Parameters
     ----------
     rest_positions : array_like, shape (n, 3)
-        Only their number counts here.
+        Only the number of rows matters here.
     edges : array_like of int, shape (e, 2), optional
-        Those of the faces and loose ones. They keep their order here, which is not that of `tamis.Mesh.edges`.
+        Edges of faces, and loose edges. They keep their order, which is not that of `tamis.Mesh.edges`.
     faces : array_like of int, shape (f, 3), optional
-        Triangles.
+        Vertex indices of each triangle.
+
+    Raises
+    ------
+    InvalidMesh
+        Arrays of another shape or type, numbers that are not finite, or an index that is no vertex.
     """
 
     def __init__(
@@ -43,11 +48,11 @@ class CollisionMesh:
         self._mesh = Mesh(self.faces, self.num_vertices, self.edges, self.codim_vertices)
         self._can_collide: Callable[[int, int], bool] | None = None
         self._detector: Detector | None = None
-        self._threads = 0  # of the detector
+        self._threads = 0  # that the detector was made with
 
     @property
     def can_collide(self) -> Callable[[int, int], bool] | None:
-        """Asked of pairs of vertices; features may collide if any two of their vertices may. Slow, as in ipctk."""
+        """``can_collide(a, b)`` of two vertices: features may collide if any two of their vertices may. Slow."""
         return self._can_collide
 
     @can_collide.setter
@@ -59,17 +64,17 @@ class CollisionMesh:
 
     @property
     def num_vertices(self) -> int:
-        """Number of vertices."""
+        """The number of vertices."""
         return len(self.rest_positions)
 
     @property
     def num_edges(self) -> int:
-        """Number of edges as given."""
+        """The number of edges as given."""
         return len(self.edges)
 
     @property
     def num_faces(self) -> int:
-        """Number of triangles."""
+        """The number of triangles."""
         return len(self.faces)
 
     @property
@@ -80,12 +85,12 @@ class CollisionMesh:
 
     @property
     def num_codim_vertices(self) -> int:
-        """Number of vertices of no face and no edge."""
+        """The number of vertices of no face and no edge."""
         return len(self.codim_vertices)
 
     @property
     def detector(self) -> Detector:
-        """What answers for this mesh; kept from step to step."""
+        """The detector of this mesh, kept until `can_collide` or the number of threads changes."""
         threads = get_num_threads()
         if self._detector is None or self._threads != threads:
             between = None if self._can_collide is None else _between(self._can_collide)
@@ -94,7 +99,7 @@ class CollisionMesh:
 
 
 def detector_of(mesh: CollisionMesh) -> Detector:
-    """Return what answers for a mesh; one of another library is refused."""
+    """Return the detector of a mesh; raise for a mesh of another library."""
     if not isinstance(mesh, CollisionMesh):
         given = type(mesh)
         raise InvalidMesh(
@@ -105,16 +110,16 @@ def detector_of(mesh: CollisionMesh) -> Detector:
 
 
 def edges(faces: npt.ArrayLike) -> Indices:
-    """Return the edges of triangles, each once, shape (e, 2), in ipctk's order: by the larger vertex, then the smaller.
+    """Return the edges of triangles, each once, shape (e, 2), in ipctk's order: by larger vertex, then smaller vertex.
 
-    `tamis.Mesh.edges` has another order; `tamis.Mesh.find_edges` leads from one to the other.
+    `tamis.Mesh.edges` has another order; `tamis.Mesh.find_edges` finds the rows of these edges there.
     """
     found = Mesh(faces).edges
     return found[np.lexsort(found.T)]
 
 
 def _between(can_collide: Callable[[int, int], bool]) -> Filter:
-    """Make a filter of features from one of vertices."""
+    """Return a filter of pairs of features, made from one of pairs of vertices."""
 
     def accepts(kind: PairKind, v: tuple[int, int, int, int]) -> bool:
         used = [i for i in v if i >= 0]

@@ -1,4 +1,4 @@
-"""Narrow phases by ipctk's names: they decide how much of its distance every pair keeps."""
+"""Narrow phases with ipctk's names: they decide how much of its distance every pair keeps."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from tamis._pair_distance import safe_step
 
 
 class NarrowPhaseCCD:
-    """Single pairs, and how far a step may go towards a contact: what both narrow phases have in common.
+    """The base of both narrow phases: calls for single pairs, and the fraction of its distance that a pair keeps.
 
-    The calls for single pairs return False and infinity if the pair keeps its part of the distance until tmax; else
-    True, and the time until which it does.
+    The calls for single pairs return (False, inf) if the pair keeps its fraction until `tmax`, else (True, t): it keeps
+    the fraction until t.
     """
 
     def __init__(self) -> None:
@@ -24,7 +24,7 @@ class NarrowPhaseCCD:
 
     @property
     def conservative_rescaling(self) -> float:
-        """The part of the distance at the start that a step may use up, in (0, 1]."""
+        """The fraction of its distance at the start that a pair may lose in a step, in (0, 1]."""
         return self._rescaling
 
     @conservative_rescaling.setter
@@ -35,7 +35,7 @@ class NarrowPhaseCCD:
 
     @property
     def kept_fraction(self) -> float:
-        """The part of its distance, as far as that exceeds the minimum, that every pair keeps."""
+        """The fraction that every pair keeps of its distance, as far as it exceeds the minimum distance."""
         return 1 - self.conservative_rescaling
 
     def point_triangle_ccd(
@@ -114,9 +114,9 @@ class NarrowPhaseCCD:
 
 
 class TightInclusionCCD(NarrowPhaseCCD):
-    """A step, or a pair, keeps 1e-4 of every distance, where ipctk keeps 1e-4 in the unit of the positions, or less.
+    """Every pair keeps 1e-4 of its distance; with ipctk's, 1e-4 in the unit of the positions, or less.
 
-    Tolerance and iterations have no meaning here.
+    `tolerance` and `max_iterations` have no effect.
     """
 
     def __init__(
@@ -128,14 +128,14 @@ class TightInclusionCCD(NarrowPhaseCCD):
 
     @property
     def kept_fraction(self) -> float:
-        """The part of its distance, as far as that exceeds the minimum, that every pair keeps."""
+        """The fraction that every pair keeps of its distance, as far as it exceeds the minimum distance."""
         return min(1e-4, super().kept_fraction)
 
 
 class AdditiveCCD(NarrowPhaseCCD):
-    """A step, or a pair, keeps a tenth of every distance unless told otherwise, as in ipctk.
+    """Every pair keeps 1 - `conservative_rescaling` of its distance, by default a tenth, as in ipctk.
 
-    Iterations have no meaning here.
+    `max_iterations` has no effect.
     """
 
     def __init__(self, max_iterations: int = 10_000_000, conservative_rescaling: float = 0.9) -> None:
@@ -144,12 +144,12 @@ class AdditiveCCD(NarrowPhaseCCD):
 
 
 def _stacked(**points: npt.ArrayLike) -> Doubles:
-    """Return points, by the names that the caller knows them by, as rows."""
+    """Return points as rows, shape (n, 3); errors call them by the caller's names."""
     return np.stack([_point(point, name) for name, point in points.items()])
 
 
 def _point(given: npt.ArrayLike, name: str) -> Doubles:
-    """One point, as a row or as a column."""
+    """Return one point, shape (3,), that was given with the shape (3,), (1, 3) or (3, 1)."""
     array = numbers(given, name, InvalidStep)
     if array.shape not in ((3,), (1, 3), (3, 1)):
         advice = "give three numbers in a row; points in the plane have a z of 0"

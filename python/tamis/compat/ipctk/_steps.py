@@ -1,4 +1,4 @@
-"""Questions about steps by ipctk's names."""
+"""Questions about poses and steps with ipctk's names."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from tamis.compat.ipctk._narrow_phase import NarrowPhaseCCD, TightInclusionCCD
 
 
 def has_intersections(mesh: CollisionMesh, vertices: npt.ArrayLike, broad_phase: BroadPhase | None = None) -> bool:
-    """Tell whether any edge passes through a triangle or touches it: exactly."""
+    """Tell whether any edge passes through a triangle or touches it. Decided exactly."""
     detector = detector_of(mesh)
     _accept(broad_phase)
     positions = rows(vertices, "vertices")
     may = mesh.can_collide
     if may is None:
         return detector.has_intersection(positions)
-    found = detector.intersections(positions)  # of a detector's filter only the groups count here
+    found = detector.intersections(positions)  # which do not ask the detector's filter
     return any(
         any(may(a, b) for a in edge for b in face) for edge, face in zip(found.edge.tolist(), found.face.tolist())
     )
@@ -34,7 +34,7 @@ def is_step_collision_free(
     broad_phase: BroadPhase | None = None,
     narrow_phase_ccd: NarrowPhaseCCD | None = None,
 ) -> bool:
-    """Tell whether the whole step is free of contacts: exactly; ipctk may say no of a step that comes near one."""
+    """Tell whether the whole step is free of contacts: exactly, while ipctk may say False if a pair only comes near."""
     _accept(broad_phase)
     _kept_fraction(narrow_phase_ccd)
     start, end, distance = _step(vertices_t0, vertices_t1, min_distance)
@@ -49,9 +49,9 @@ def compute_collision_free_stepsize(
     broad_phase: BroadPhase | None = None,
     narrow_phase_ccd: NarrowPhaseCCD | None = None,
 ) -> float:
-    """Return how far the step may go so that every pair keeps a part of its distance, in [0, 1].
+    """Return how far the step may go, in [0, 1], so that every pair keeps the narrow phase's `kept_fraction`.
 
-    The part is the narrow phase's `kept_fraction`. That they keep it is proven, and no longer step would do.
+    It is proven that every pair keeps this fraction of its distance until then.
     """
     _accept(broad_phase)
     kept = _kept_fraction(narrow_phase_ccd)
@@ -60,7 +60,7 @@ def compute_collision_free_stepsize(
 
 
 class Candidates:
-    """Stores no candidates: Tamis needs no list of them. The calls answer for all pairs of the mesh."""
+    """Stores no candidates, as Tamis needs no list of them: the calls answer for all pairs of the mesh."""
 
     def build(
         self,
@@ -70,7 +70,7 @@ class Candidates:
         inflation_radius: float = 0.0,
         broad_phase: BroadPhase | None = None,
     ) -> None:
-        """Look at the arguments, and do nothing."""
+        """Check the arguments, and do nothing else."""
         detector_of(mesh)
         for name, given in (("vertices_t0", vertices_t0), ("vertices_t1", vertices_t1)):
             finite(rows(given, name), name, InvalidStep)
@@ -85,7 +85,7 @@ class Candidates:
         min_distance: float = 0.0,
         narrow_phase_ccd: NarrowPhaseCCD | None = None,
     ) -> bool:
-        """As the function of this name."""
+        """Answer as the function of this name."""
         return is_step_collision_free(mesh, vertices_t0, vertices_t1, min_distance, None, narrow_phase_ccd)
 
     def compute_collision_free_stepsize(
@@ -96,12 +96,12 @@ class Candidates:
         min_distance: float = 0.0,
         narrow_phase_ccd: NarrowPhaseCCD | None = None,
     ) -> float:
-        """As the function of this name."""
+        """Answer as the function of this name."""
         return compute_collision_free_stepsize(mesh, vertices_t0, vertices_t1, min_distance, None, narrow_phase_ccd)
 
 
 def _accept(broad_phase: BroadPhase | None) -> None:
-    """A narrow phase in its place, say, would be ignored with it."""
+    """Refuse anything but a broad phase, such as a narrow phase in its place, which would be ignored."""
     if broad_phase is not None:
         instance(broad_phase, BroadPhase, "broad_phase", "None, or a broad phase of tamis.compat.ipctk")
 

@@ -1,4 +1,4 @@
-"""The number of threads by ipctk's names."""
+"""The number of threads, with ipctk's names."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ _most = _ALL
 
 
 def set_num_threads(nthreads: int) -> None:
-    """Set how many threads each question uses from now on, of every mesh; 0, or more than there are: all."""
+    """Set the number of threads of all questions from now on; 0, or more than there are cores: one a core."""
     global _most
     _most = min(whole(nthreads, "nthreads") or _ALL, _ALL)
 
 
 def get_num_threads() -> int:
-    """Return how many threads a question uses at most."""
+    """Return the largest number of threads that a question uses."""
     return _most

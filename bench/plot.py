@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""Draws the results of bench/run.sh: bench/plot.py RESULTS docs/pictures. Needs matplotlib (Debian: python3-matplotlib).
+"""Draws the results of bench/run.sh: bench/plot.py RESULTS docs/pictures. Needs matplotlib (Debian:
+python3-matplotlib).
 
-Prints the fitted exponents and the tables of docs/performance.md in Markdown."""
+Writes fitted exponents into the pictures' legends, and prints the tables of docs/performance.md in Markdown."""
 import csv
 import json
 import math
@@ -31,7 +32,7 @@ def rows_of(path):
 
 
 def exponent(xs, ys):
-    """Slope of the least-squares line through the logarithms."""
+    """Return the slope of the least-squares line through the logarithms."""
     u, v = [math.log(x) for x in xs], [math.log(y) for y in ys]
     mean_u, mean_v = sum(u) / len(u), sum(v) / len(v)
     return sum((a - mean_u) * (b - mean_v) for a, b in zip(u, v)) / sum((a - mean_u) ** 2 for a in u)

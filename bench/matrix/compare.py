@@ -1,19 +1,20 @@
 #!/usr/bin/env python3
-"""Compares two builds of tamis_matrix, cell by cell and in turns: ratios of time, old to new, worst first, and their
-geometric mean. Answers are compared, too: cells whose answers contradict each other are an error.
+"""Compares two builds of tamis_matrix, cell by cell and in turns. Prints the ratios of time, old to new, worst first,
+and their geometric mean. Answers that contradict each other are an error.
 
     bench/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --part daily --csv daily.csv
     bench/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --cells 'kick*/x3/*' --isa avx2 --repeat 7
     bench/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --sweep 0.8 --limit 60
     bench/matrix/compare.py BUILD/bin/tamis_matrix BUILD/bin/tamis_matrix --threads 1,16 --cells '*-300k/*'
 
-Parts (bench/matrix/cells.hpp): night, every cell below a limit of work; daily, two of each scene and scale, so that
-every question, state and separation comes in turn, with every instruction set; quick, those of the daily ones that
-take little. What the night leaves out is counted at the start.
+Parts (bench/matrix/cells.hpp): night, every cell below a limit of work; daily, two cells of each scene and scale,
+chosen so that every question, state and separation occurs, with every instruction set; quick, the short ones of the
+daily cells. Cells that the night leaves out are counted at the start.
 
-A sweep asks each cell in one turn, and in all turns only what then seems slower than its ratio: a first look at many
-cells. What takes longer than --limit is given up, and named at the end (under chrt -r, not -f: with a core to itself a build
-would keep this program from looking at the time). Ctrl-C, or kill, ends it with what was measured.
+--sweep RATIO gives a first look at many cells: each is asked in one turn, and in all turns only if its ratio is below
+RATIO. Answers that take longer than --limit are given up, and named at the end. (Use chrt -r with it, not -f: a build
+that has a core for itself would keep this program from reading the clock.) After Ctrl-C or kill it prints what was
+measured.
 """
 import argparse
 import collections
@@ -28,19 +29,19 @@ import subprocess
 import sys
 
 ISAS = ["baseline", "avx2", "avx512"]
-LONG = 0.5  # seconds: a cell that takes longer is asked in two turns, whatever --repeat says
+LONG = 0.5  # seconds: a cell that takes longer is asked in at most two turns, whatever --repeat says
 
 
 class GivenUp(Exception):
-    """A build took longer than the limit: says which, and for what."""
+    """A build took longer than the limit; the message is the build's program."""
 
 
 class Driver:
-    """One build, serving. Scenes are made once; a question is timed by the process itself."""
+    """A process of one build that answers questions; it makes each scene once, and times questions by itself."""
 
     def __init__(self, program, isa, threads, limit):
         self.command = [program, "--isa", isa, *(["--threads", threads] if threads != "1" else []), "--serve"]
-        self.limit = limit  # seconds, or nothing
+        self.limit = limit  # seconds; None: no limit
         self.start()
 
     def start(self):
@@ -61,7 +62,7 @@ class Driver:
 
 
 def contradiction(old, new):
-    """What two answers to one cell disagree about, or nothing. Brackets may differ: they must meet."""
+    """Return how two answers to one cell contradict each other, or "". Brackets may differ, but must overlap."""
     if old["contacts"] != new["contacts"]:
         return f"{old['contacts']} and {new['contacts']} contacts"
     if old["pairs"] != new["pairs"]:
@@ -73,7 +74,7 @@ def contradiction(old, new):
 
 
 def parts_of(cell, questions):
-    """A line search of 8 trials holds those of 2 and 4. Yields name, and the cost: sum and most of one question."""
+    """Yield name, sum and largest time of each part's questions: a line search of 8 trials has those of 2 and 4."""
     if "/line/" not in cell:
         yield cell, sum(questions), max(questions)
         return
@@ -82,18 +83,18 @@ def parts_of(cell, questions):
 
 
 def medians_of(turns):
-    """Of each question, over the turns of one build."""
+    """Return the median time of each question over the turns of one build."""
     return [statistics.median(times) for times in zip(*turns)]
 
 
 def costs_of(cell, turns):
-    """Of each part of a cell its name, and sum and most of the old build, then of the new one."""
+    """Return for each part of a cell its name, the old build's sum and largest time, then the new build's."""
     old, new = ([*parts_of(cell, medians_of(of_build))] for of_build in turns)
     return [(name, *of_old, *of_new) for (name, *of_old), (_, *of_new) in zip(old, new)]
 
 
 def ask_in_turns(cell, drivers, turns, sweep):
-    """The times of each build, turn by turn: of a sweep one turn, if nothing in the cell is slower by it."""
+    """Return the times of each build, turn by turn; with a sweep one turn alone, if all ratios are at least `sweep`."""
     times = [], []
     for turn in range(turns):
         for which in ((0, 1) if turn % 2 == 0 else (1, 0)):
@@ -104,7 +105,7 @@ def ask_in_turns(cell, drivers, turns, sweep):
 
 
 def measure(cell, isa, drivers, asked):
-    """Yields the rows of a cell. `drivers`: the old build and the new one, of one instruction set."""
+    """Yield the rows of a cell. `drivers`: the old and the new build with one instruction set."""
     answers = [driver.ask(cell) for driver in drivers]
     turns = min(asked.repeat, 2) if answers[0]["seconds"] > LONG else asked.repeat
     times = ask_in_turns(cell, drivers, turns, asked.sweep)
@@ -136,7 +137,7 @@ def print_group(title, ratios):
 
 
 def print_table(rows, sweep):
-    """All cells; of a sweep those below its ratio. Then the groups, of all."""
+    """Print all cells (with a sweep those below its ratio), then the groups of all cells."""
     columns = ["ratio", "old_ms", "new_ms", "old_most_ms", "new_most_ms", "old_boxes", "new_boxes", "contacts", "isa",
                "cell", "problem"]
     print(" ".join(f"{column:>11}" for column in columns))
@@ -156,7 +157,10 @@ def print_table(rows, sweep):
 
 
 def print_earliest_by_contacts(rows):
-    """Of the new build, where both were asked of a scene, state and separation: a first contact should cost no more."""
+    """Print the new build's ratios of time, earliest to contacts, for each scene, state and separation with both.
+
+    The first contact should cost no more than all contacts.
+    """
     ms = {(row["cell"], row["isa"]): row["new_ms"] for row in rows}
     pairs = ((cell, time, ms.get((cell.replace("/contacts/", "/earliest/"), isa))) for (cell, isa), time in ms.items()
              if "/contacts/" in cell)
@@ -173,7 +177,7 @@ def list_cells(program, part, patterns):
 
 
 def cells_of_both(asked, patterns):
-    """What both builds know; an old one may lack a question."""
+    """Return the cells that both builds know: an old build may lack a question."""
     known = set(list_cells(asked.old, asked.part, patterns))
     cells = list_cells(asked.new, asked.part, patterns)
     if len(cells) > len(known):
@@ -219,7 +223,7 @@ def isas_of(asked):
 
 
 def measure_all(asked, cells):
-    """The rows of all cells, and what was given up; of those before an interrupt."""
+    """Return the rows of all cells, and the answers that were given up; after an interrupt, those until then."""
     builds = [*zip((asked.old, asked.new), asked.threads)]
     drivers = {isa: [Driver(program, isa, threads, asked.limit) for program, threads in builds] for isa in isas_of(asked)}
     rows, given_up = [], []
@@ -238,7 +242,7 @@ def measure_all(asked, cells):
 
 
 def problems_of(rows):
-    """Cells whose answers contradict each other, between the builds or between the new one's instruction sets."""
+    """Return cells whose answers contradict each other, or whose bits differ between the new build's instruction sets."""
     bits = collections.defaultdict(set)
     for row in rows:
         bits[row["cell"]].add(row["bits"])
@@ -255,7 +259,7 @@ def write(rows, name):
 
 
 def main():
-    for ending in (signal.SIGINT, signal.SIGTERM):  # in the background the shell has them ignored
+    for ending in (signal.SIGINT, signal.SIGTERM):  # the shell sets a background process to ignore SIGINT
         signal.signal(ending, signal.default_int_handler)
     asked = arguments()
     patterns = asked.cells or ["*"]

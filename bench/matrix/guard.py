@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Fails when a cell of the matrix costs more than the committed counts say: any count of nodes or of pairs after a stage
-that grew by more than 5%. Counts are the same on every machine and instruction set, so a change of cost is a decision:
---update writes what is counted now, and the commit says why.
+"""Fails if a count of some cell of the matrix (nodes visited, pairs that enter a stage) is more than 5% above the
+committed one. Counts are the same on every machine and instruction set. A change of cost is a decision: --update writes
+the counts of now, and the commit says why.
 
     bench/matrix/guard.py build/dev/bin/tamis_matrix              the quick part, as the tests do
     bench/matrix/guard.py build/dev/bin/tamis_matrix --update     writes the counts of the quick part
 
-Cells of recorded scenes are skipped, and counted, where the data is absent; --update keeps what stands there for them,
-and drops cells that the quick part no longer has.
+If the data of recorded scenes is absent, their cells are skipped and counted. --update keeps the committed counts of
+such cells, and drops cells that the quick part no longer has.
 """
 import argparse
 import csv
@@ -22,7 +22,7 @@ COMMITTED = pathlib.Path(__file__).with_name("counts.csv")
 
 
 def counted(driver):
-    """Counts of each cell of the quick part that can be asked here, by its name."""
+    """Return the counts of each cell of the quick part that can be asked here, by the cell's name."""
     lines = subprocess.run([driver, "--part", "quick", "*"], check=True, capture_output=True, text=True).stdout
     cells = {}
     for row in map(json.loads, lines.splitlines()):
@@ -50,13 +50,13 @@ def scene_of(cell):
 
 
 def left_out(old, new):
-    """Committed cells that the quick part has no more, though their scenes are here."""
+    """Return the committed cells that the quick part no longer has although their scenes are here."""
     here = {scene_of(cell) for cell in new}
     return {cell for cell in old.keys() - new.keys() if scene_of(cell) in here}
 
 
 def changes(old, new):
-    """Yields cell, name of the count, committed, counted: of those that left 5% on either side."""
+    """Yield cell, name, committed count and count of now, where the two differ by more than 5%."""
     for cell in sorted(old.keys() & new.keys()):
         for name in COUNTS:
             before, now = old[cell][name], new[cell][name]

@@ -1,10 +1,9 @@
 #!/usr/bin/python3
-"""The matrix as one picture and one table: bench/matrix/plot.py DAILY.csv PICTURE.png. Needs matplotlib (Debian:
-python3-matplotlib).
+"""Draws the matrix as one picture: bench/matrix/plot.py DAILY.csv PICTURE.png. Needs matplotlib (Debian:
+python3-matplotlib). Prints the table of docs/performance.md in Markdown.
 
-DAILY.csv is from compare.py --csv. A square is one step, a scene at a scale: how many times as fast as the old build
-(the geometric mean of what was asked of it), with each instruction set. Prints the table of docs/performance.md in
-Markdown."""
+DAILY.csv is from compare.py --csv. There is a panel for each instruction set. A square of it is one step, a scene at a
+scale: how many times as fast as the old build the new one is, as the geometric mean of the step's cells."""
 import csv
 import math
 import sys
@@ -16,7 +15,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 SCALES = ["x0.01", "x0.1", "x1", "x3", "x10", "x30"]
 ISAS = {"best": "AVX-512", "avx512": "AVX-512", "avx2": "AVX2", "baseline": "baseline"}
-MOST = 4  # colours end there
+MOST = 4  # the ratio of the strongest colour
 NAMES = {"all": "all", **{name: name for name in ("AVX-512", "AVX2", "baseline", "contacts", "earliest", "free")},
          "keep": "a kept distance, 0.2", "three": "contacts, earliest, free of one step", "new": "new", "kept": "kept",
          "line2": "line searches of 2", "line4": "of 4", "line8": "of 8 trials", "substeps": "substeps",
@@ -24,7 +23,7 @@ NAMES = {"all": "all", **{name: name for name in ("AVX-512", "AVX2", "baseline",
 
 
 def rows_of(path):
-    """Each cell with its parts: scene, scale, question, state, separation."""
+    """Yield each row with the parts of its cell's name: scene, scale, question, state, separation."""
     with open(path, newline="") as file:
         for row in csv.DictReader(file):
             scene, scale, question, state, separation = row["cell"].split("/")
@@ -37,7 +36,7 @@ def geometric_mean(rows):
 
 
 def squares(rows, scenes):
-    """Of one instruction set: a line a scene, a column a scale; not a number where nothing was asked."""
+    """Return the ratios of one instruction set: a line a scene, a column a scale; NaN where no cell was asked."""
     of_step = {}
     for row in rows:
         of_step.setdefault((row["scene"], row["scale"]), []).append(row)

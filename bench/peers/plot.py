@@ -1,8 +1,9 @@
 #!/usr/bin/python3
-"""Public peers beside Tamis: bench/peers/plot.py OURS.csv PICTURE.png. Needs matplotlib (Debian: python3-matplotlib).
+"""Compares public peers with Tamis: bench/peers/plot.py OURS.csv PICTURE.png. Needs matplotlib (Debian:
+python3-matplotlib).
 
-OURS.csv is from bench/peers/run.sh; the peers' times stand in peers.csv, from other runs on a machine of the same kind:
-read factors, not digits. Prints the table of docs/performance.md in Markdown."""
+OURS.csv is from bench/peers/run.sh. The peers' times are in peers.csv; they come from other runs on a machine of the
+same kind, so read factors, not digits. Prints the table of docs/performance.md in Markdown."""
 import csv
 import pathlib
 import sys
@@ -22,7 +23,7 @@ def rows_of(path):
 
 
 def steps_of(rows):
-    """The rows of each question and scene, in their order."""
+    """Return the rows of each question and scene that has more than one, in their order."""
     steps = {}
     for row in rows:
         steps.setdefault((row["question"], row["scene"]), []).append(row)

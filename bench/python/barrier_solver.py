@@ -1,7 +1,8 @@
-"""The example barrier_cloth with Tamis in its line search, and with ipctk's own: barrier_solver.py --out TABLE.
+"""Times the example barrier_cloth with Tamis in its line search, and with ipctk's own: barrier_solver.py --out TABLE.
 
-All simulate the same falling cloth in one thread, a step of one after a step of the other. After each step, outside of
-the time, ipctk builds the collisions of that pose by itself: the solver's must be the same, in squared distances too.
+All simulate the same falling cloth in one thread, in turns of one step. After each step, not timed, ipctk builds the
+collisions of that pose by itself. The solver must have the same pairs; the largest difference of squared distances is
+printed.
 """
 
 from __future__ import annotations
@@ -25,20 +26,20 @@ _SPEC.loader.exec_module(example)
 
 
 class Own:
-    """ipctk's way: candidates of the whole step, which the narrow phase and the collisions share."""
+    """ipctk's line search: one list of candidates of the whole step, for the narrow phase and for the collisions."""
 
     def __init__(self, mesh: Any, narrow: Any) -> None:
         self.mesh, self.narrow = mesh, narrow
 
     def __call__(self, start: np.ndarray, end: np.ndarray) -> tuple[float, Any]:
-        """Answer as the example's own search does."""
+        """Return the safe fraction of the step and the candidates, as the example's `Search`."""
         candidates = ipctk.Candidates()
         candidates.build(self.mesh, start, end, example.REACH / 2)
         return candidates.compute_collision_free_stepsize(self.mesh, start, end, 0.0, self.narrow), candidates
 
 
 class Timed:
-    """A scene, how long its steps take, and how long its search."""
+    """A scene, with the seconds of its steps and of its searches."""
 
     def __init__(self, name: str, cells: int, search: Callable[[Any], Any]) -> None:
         self.name, self.seconds = name, defaultdict(float)
@@ -47,7 +48,7 @@ class Timed:
         self.step = self.timed("step", self.scene.step)
 
     def timed(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
-        """Add up the seconds of each call."""
+        """Return a function that also adds the seconds of each call to `seconds[name]`."""
 
         def call(*arguments: Any) -> Any:
             begin = time.perf_counter()
@@ -58,7 +59,7 @@ class Timed:
         return call
 
     def collisions(self, own: bool) -> dict[Any, float]:
-        """Squared distances, by kind and vertices: of the solver, or as ipctk alone finds them."""
+        """Return squared distances by kind and vertices of the solver's collisions, or (own) of those ipctk finds."""
         scene, found = self.scene, self.scene.collisions
         if own:
             found = ipctk.NormalCollisions()
@@ -69,14 +70,14 @@ class Timed:
         return {n: c.compute_distance(c.dof(scene.x, edges, faces)) for n, c in zip(names, each)}
 
     def error(self) -> float:
-        """How far the solver's collisions are from ipctk's own."""
+        """Return the largest difference of squared distances between the solver's collisions and ipctk's own."""
         ours, theirs = self.collisions(False), self.collisions(True)
         assert ours.keys() == theirs.keys(), f"{self.name}: {len(ours)} collisions, of ipctk alone {len(theirs)}"
         return max((abs(ours[name] - theirs[name]) for name in ours), default=0.0)
 
 
 def run(cells: int, steps: int, narrow: dict[str, Any]) -> list[str]:
-    """Rows of the table."""
+    """Simulate with all searches, and return the rows of the table."""
     searches = {"Tamis": partial(example.Search, threads=1)} | {n: partial(Own, narrow=p) for n, p in narrow.items()}
     scenes = [Timed(name, cells, search) for name, search in searches.items()]
     worst = 0.0

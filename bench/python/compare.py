@@ -1,7 +1,7 @@
-"""The same frames and questions through Tamis, ipctk and python-fcl: compare.py FRAMES --out FOLDER.
+"""Asks Tamis, ipctk and python-fcl the same questions about the same frames: compare.py FRAMES --out FOLDER.
 
-FRAMES is the folder that holds cloth-ball and cloth-funnel. An answer is compared before its time counts: a step that a
-package calls safe is checked by Tamis with exact algebra. Writes compare.csv, compare.md and compare.png.
+FRAMES is the folder that holds cloth-ball and cloth-funnel. Answers are compared, too: Tamis decides exactly whether a
+step that another package calls safe is free. Writes compare.csv, compare.md and compare.png.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ SCENES = ("cloth-funnel", "cloth-ball")
 
 
 class Row(NamedTuple):
-    """One answer: milliseconds are the median of so many runs after the first."""
+    """One answer, with the median time of several runs, and a verdict: whether the answer is right."""
 
     scene: str
     question: str
@@ -38,7 +38,7 @@ class Row(NamedTuple):
 
 
 def median_ms(ask: Callable[[], Any], repeat: int) -> tuple[Any, float]:
-    """Return the answer and the median time; the first run is not counted, unless it is the only one."""
+    """Return the answer, and the median time of `repeat` runs after a first run (of the first if `repeat` is 0)."""
     times = []
     for _ in range(repeat + 1):
         begin = time.perf_counter()
@@ -48,7 +48,7 @@ def median_ms(ask: Callable[[], Any], repeat: int) -> tuple[Any, float]:
 
 
 def ask_steps(scene: str, folder: pathlib.Path, threads: int, repeat: int) -> list[Row]:
-    """All contacts and the largest safe step of recorded cloth."""
+    """Ask for all contacts, the first contact and the largest safe step of recorded cloth."""
     first, last = tamis.read_frames(folder)
     mesh, start, end = first.mesh, first.positions, last.positions
     detector = tamis.Detector(mesh, threads=threads)
@@ -66,7 +66,7 @@ def ask_steps(scene: str, folder: pathlib.Path, threads: int, repeat: int) -> li
 
     ipctk.set_num_threads(threads)
     surface = ipctk.CollisionMesh(start, mesh.edges, mesh.faces)
-    columns = np.asfortranarray(start), np.asfortranarray(end)  # what ipctk would copy them to, every time
+    columns = np.asfortranarray(start), np.asfortranarray(end)  # else ipctk copies them to this order in every call
     candidates = ipctk.Candidates()
     _, ms = median_ms(lambda: candidates.build(surface, *columns, broad_phase=ipctk.LBVH()), repeat)
     count = len(candidates.fv_candidates) + len(candidates.ee_candidates)
@@ -95,7 +95,7 @@ def ask_steps(scene: str, folder: pathlib.Path, threads: int, repeat: int) -> li
 
 
 def ask_spheres(subdivisions: int, repeat: int) -> list[Row]:
-    """Two spheres, one of which moves towards the other: what python-fcl (and trimesh, which asks it) can express."""
+    """Ask about a sphere that moves towards another: python-fcl (and trimesh, which uses it) has only rigid motion."""
     sphere = trimesh.creation.icosphere(subdivisions)
     n, faces = len(sphere.vertices), np.asarray(sphere.faces)
     at, to = np.array([4.0, 0.1, 0.2]), np.array([0.0, 0.1, 0.2])
@@ -138,7 +138,7 @@ def ask_spheres(subdivisions: int, repeat: int) -> list[Row]:
 
 
 def short(milliseconds: float) -> str:
-    """Three digits."""
+    """Return a number with three digits."""
     return f"{milliseconds:,.0f}" if milliseconds >= 100 else f"{milliseconds:#.3g}"
 
 

@@ -1,8 +1,8 @@
-"""One of Newton's own cloth examples, by itself or with Tamis: seconds a frame, contacts of every step.
+"""Runs one of Newton's own cloth examples, alone or with Tamis, and prints seconds a frame and contacts in its steps.
 
 newton_example.py twist|hanging|poker_cards|rollers [--frames N] [--last N] [--attach] [--buffers VERTEX EDGE]
 
-Exit code 1 if some step touches. One thread; Newton's kernels are compiled at the first run.
+Exit code 1 if some step has a contact. Runs in one thread; Newton's kernels are compiled at the first run.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ import tamis.newton
 
 
 def example_of(name: str, buffers: list[int] | None) -> Any:
-    """Return the example as it is shipped, but for what it would capture and for the sizes of buffers."""
+    """Return the example as it is shipped, except that it captures no CUDA graph, and for the sizes of buffers."""
     module = importlib.import_module(f"newton.examples.cloth.example_cloth_{name}")
     module.Example.capture = lambda example: setattr(example, "graph", None)
     made = newton.solvers.SolverVBD.__init__
@@ -40,9 +40,9 @@ def example_of(name: str, buffers: list[int] | None) -> Any:
 
 
 class Recorder:
-    """Counts the contacts of each step of a solver, from the floats it starts with to those it ends with; and seconds.
+    """Counts the contacts of each step of a solver, from the floats at its start to those at its end, and its seconds.
 
-    Contacts of neighbours count; pairs that a step does not move at all do not: the caller alone can part them.
+    Contacts of neighbours count. Pairs of which no vertex moves in the step do not: only the caller can part them.
     """
 
     def __init__(self, solver: Any) -> None:
@@ -56,7 +56,7 @@ class Recorder:
         solver.step = self.step
 
     def step(self, state_in: Any, state_out: Any, *rest: Any, **named: Any) -> None:
-        """Step, and ask."""
+        """Take the solver's step, timed, and count its contacts."""
         start = state_in.particle_q.numpy().copy()
         processor, wall = time.process_time(), time.perf_counter()
         self._step(state_in, state_out, *rest, **named)
@@ -68,7 +68,7 @@ class Recorder:
 
 
 def count_seconds(solver: Any) -> list[float]:
-    """Return a list of one number, which counts the seconds in the solver's own detection and truncation."""
+    """Return a list of one number, to which the solver's own detection and truncation add their seconds."""
     spent = [0.0]
 
     def timed(call: Any) -> Any:
@@ -101,7 +101,7 @@ def main() -> int:
     recorder = Recorder(example.solver)
 
     def seconds() -> npt.NDArray[np.float64]:
-        """Return those of the processor, of the clock, and of detection and truncation, until now."""
+        """Return the seconds until now: of the processor, of the clock, of detection and truncation."""
         searching = report.detection_seconds + report.truncation_seconds if report else spent[0]
         return np.array([recorder.processor, recorder.wall, searching])
 

@@ -1,8 +1,8 @@
-"""What Python adds to a question: overhead.py FRAMES [--list-call FILE].
+"""Measures the time that Python adds to a question: overhead.py FRAMES [--list-call FILE].
 
-In one process, warm: the time of the call as Python sees it, and the library's own time of the same call, which
-`statistics` gives. With the module that the preset bench builds from list_call.cpp also a million single pairs, through
-NumPy and by the C++ call for lists of pairs, in turns.
+Compares, in one warm process, the time of a call in Python with the library's own time of it (`statistics`). With FILE,
+which the preset bench builds from list_call.cpp, also times a million single pairs, by `narrow_phase` and by the C++
+call for lists of pairs, in turns.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ import tamis
 
 
 def seconds(work: Callable[[], Any]) -> float:
-    """Return how long one call takes."""
+    """Return the seconds of one call."""
     begin = time.perf_counter()
     work()
     return time.perf_counter() - begin
 
 
 def compare_steps(frames: pathlib.Path, threads: int, repeat: int) -> None:
-    """All contacts of recorded cloth."""
+    """Time all contacts of recorded cloth."""
     for scene in ("cloth-funnel", "cloth-ball"):
         first, last = tamis.read_frames(frames / scene)
         detector = tamis.Detector(first.mesh, threads=threads)
@@ -47,7 +47,7 @@ def compare_steps(frames: pathlib.Path, threads: int, repeat: int) -> None:
 
 
 def compare_pairs(path: pathlib.Path, repeat: int, count: int = 1_000_000) -> None:
-    """A million vertices against as many faces; two copies of the library, one in each module."""
+    """Time `count` vertices against as many faces. Each module has a copy of the library."""
     call = ctypes.CDLL(str(path)).tamis_list_call
     call.restype, call.argtypes = ctypes.c_double, (ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p)
     start, end = np.random.default_rng(1).uniform(-1, 1, (2, 4 * count, 3))

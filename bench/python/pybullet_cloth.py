@@ -1,8 +1,8 @@
-"""A cloth of pybullet with self-collision falls on a ball: what passes through what, and the time of both.
+"""A cloth of pybullet with self-collision falls on a ball; counts its contacts and intersections, and times both.
 
 pybullet_cloth.py [--steps N]
 
-Exit code 1 if something does.
+Exit code 1 if there are any.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ RATE = 240  # steps a second
 
 
 def square() -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int32]]:
-    """Return vertices and triangles of a square of one metre."""
+    """Return the vertices and triangles of a square of one metre."""
     n = VERTICES_A_SIDE
     x, y = np.meshgrid(np.linspace(-0.5, 0.5, n), np.linspace(-0.5, 0.5, n), indexing="ij")
     vertices = np.stack([x.ravel(), y.ravel(), np.zeros(n * n)], axis=1)
@@ -33,7 +33,7 @@ def square() -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int32]]:
 
 
 def make_scene() -> tuple[int, npt.NDArray[np.int32]]:
-    """Return the number of the cloth above a ball and a floor, and its triangles."""
+    """Make a cloth above a ball and a floor; return the cloth's number in pybullet, and its triangles."""
     vertices, faces = square()
     pybullet.connect(pybullet.DIRECT)
     pybullet.resetSimulation(pybullet.RESET_USE_DEFORMABLE_WORLD)
@@ -67,7 +67,7 @@ def make_scene() -> tuple[int, npt.NDArray[np.int32]]:
 
 
 def positions_of(cloth: int) -> npt.NDArray[np.float64]:
-    """Return where its vertices are now."""
+    """Return where the vertices of a cloth are now, shape (n, 3)."""
     return np.array(pybullet.getMeshData(cloth, -1, flags=pybullet.MESH_DATA_SIMULATION_MESH)[1])
 
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""build_zip.py WHEEL FOLDER: the add-on with the wheel of Tamis in it, as one zip that Blender installs.
+"""build_zip.py WHEEL FOLDER: packs the add-on and the wheel of Tamis into one zip that Blender installs.
 
-Blender up to 4.1 takes it as an add-on, later ones as that or as an extension. It serves the Python and the system that
-the wheel was built for.
+Blender up to 4.1 installs it as an add-on, later versions as an add-on or as an extension. It works with the Python and
+the system that the wheel was built for.
 """
 import pathlib
 import re
@@ -12,7 +12,7 @@ import zipfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 ADDON = HERE / "tamis_check"
-WHEN = (1980, 1, 1, 0, 0, 0)  # the same files make the same zip
+WHEN = (1980, 1, 1, 0, 0, 0)  # a fixed date, so that the same files make the same zip
 
 
 def add(archive: zipfile.ZipFile, name: str, content: bytes) -> None:
@@ -22,7 +22,7 @@ def add(archive: zipfile.ZipFile, name: str, content: bytes) -> None:
 
 
 def check_version(version: str) -> None:
-    """The add-on says the version twice, as both forms of add-ons want it."""
+    """Exit unless the wheel's version stands in bl_info, for add-ons, and in the manifest, for extensions."""
     info = re.search(r'"version": \((.*?)\)', (ADDON / "__init__.py").read_text())[1].replace(", ", ".")
     manifest = re.search(r'^version = "(.*?)"', (ADDON / "blender_manifest.toml").read_text(), re.MULTILINE)[1]
     if {info, manifest} != {version}:

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What picture.sh runs in Blender's window: a cloth that its solver lets through a torus, checked, one bad frame shown.
+"""Run by picture.sh in Blender's window: simulates a cloth that passes through a torus, checks it, shows a bad frame.
 
-Writes FOLDER/shown once the frame is on the screen, waits for picture.sh to open the tab, and then takes the picture.
+Writes FOLDER/shown once the frame is on the screen, waits while picture.sh opens the tab, then takes the picture and
+writes FOLDER/taken.
 """
 
 import pathlib
@@ -19,7 +20,7 @@ def cloth():
     thing = bpy.context.object
     thing.name = "cloth"
     modifier = thing.modifiers.new("cloth", "CLOTH")
-    modifier.settings.quality = 2  # few steps a frame, so that it fails soon
+    modifier.settings.quality = 2  # few steps a frame, so that the cloth soon passes through the torus
     modifier.point_cache.frame_end = FRAMES
     collision = modifier.collision_settings
     collision.use_collision = collision.use_self_collision = True

@@ -1,7 +1,7 @@
-"""A folded cloth that falls into a pile: implicit Euler with ipctk's barrier, and Tamis in the line search.
+"""A folded cloth falls into a pile: implicit Euler with ipctk's barrier, and Tamis in the line search.
 
-A Newton step asks twice: how far may it go (`Detector.safe_step`), and which pairs come within reach of the barrier
-on the way there. That one list, as `ipctk.Candidates`, serves every energy of the line search.
+A Newton step asks two questions: how far may it go (`Detector.safe_step`), and which pairs come within reach of the
+barrier on the way there? The pairs, as `ipctk.Candidates`, serve every energy that the line search computes.
 """
 
 from __future__ import annotations
@@ -18,46 +18,49 @@ import scipy.sparse as sp
 import tamis
 from tamis.bridge import ipctk as bridge
 
-H = 0.005  # seconds a step
-GRAVITY = 9.81
-DENSITY = 0.2  # kilograms a square metre
-STRETCHING = 100.0  # newtons a metre, of each edge
-BENDING = 0.02  # the same, of each vertex from the mean of those beside it
-REACH = 0.001  # of the barrier, in metres
+H = 0.005  # s, a step
+GRAVITY = 9.81  # m/s^2
+DENSITY = 0.2  # kg/m^2
+STRETCHING = 100.0  # N/m: the stiffness of each edge's spring
+BENDING = 0.02  # N/m: the stiffness that pulls each vertex to the mean of its neighbours
+REACH = 0.001  # m: the barrier acts at smaller distances (ipctk's dhat)
 STIFFNESS = 1e7  # of the barrier
 Doubles = npt.NDArray[np.float64]
 
 
 class Search:
-    """What a line search must know of a step: how far it may go, and the candidates for collisions on the way."""
+    """Answers a line search about a step: how far it may go, and the candidates for collisions on the way there."""
 
     def __init__(self, mesh: Any, threads: int = 0) -> None:
         self.mesh = mesh
         self.detector = tamis.Detector(bridge.mesh(mesh), threads=threads)
 
     def __call__(self, start: Doubles, end: Doubles) -> tuple[float, Any]:
-        """Every pair keeps a tenth of its distance; no pair that comes within reach is left out."""
+        """Return the safe fraction of the step, on which every pair keeps a tenth of its distance, and the candidates.
+
+        These are all pairs that come within reach of the barrier on that part of the step.
+        """
         part = self.detector.safe_step(start, end, 0.1).lower
         pairs = self.detector.contacts(start, start + part * (end - start), min_separation=1.001 * REACH)
         return part, bridge.candidates(pairs, self.mesh)
 
 
 class Cloth:
-    """Inertia, springs along edges, and bending: the energy that a step of implicit Euler minimises, but contacts."""
+    """The energy that a step of implicit Euler minimises, without contacts: inertia, springs along edges, bending."""
 
     def __init__(self, flat: Doubles, edges: npt.NDArray[np.int32]) -> None:
         n, self.size = len(flat), flat.size
         numbers = np.repeat(np.arange(len(edges)), 2)
         self.difference = sp.csr_array((np.tile([1.0, -1.0], len(edges)), (numbers, edges.ravel())), (len(edges), n))
         self.length = self._stretch(flat)[1]
-        self.mass = DENSITY / n  # of a square metre
+        self.mass = DENSITY / n  # of a vertex; the cloth has a square metre
         ends, others = np.concatenate([edges, edges[:, ::-1]]).T
         beside = sp.csr_array((np.ones(len(ends)), (ends, others)), shape=(n, n))
         curvature = sp.diags_array(beside.sum(1)) - beside
-        curvature = curvature[np.abs(curvature @ flat).max(1) < 1e-9]  # of vertices that are not on the border
+        curvature = curvature[np.abs(curvature @ flat).max(1) < 1e-9]  # only rows of inner vertices
         self.bending = BENDING * (curvature.T @ curvature)
         constant = sp.kron(self.bending + self.mass / H**2 * sp.eye_array(n), sp.eye_array(3), "coo")
-        # Entries of the Hessian never move: a matrix of signs leads there from the springs' own, three by three.
+        # The places of the Hessian's entries never change. A matrix of signs adds each spring's 3 x 3 block to them.
         rows, columns = np.concatenate([ends, ends]), np.concatenate([ends, others])
         x, y = np.indices((3, 3))
         entries = ((3 * rows[:, None, None] + x) * self.size + 3 * columns[:, None, None] + y).ravel()
@@ -75,21 +78,21 @@ class Cloth:
         return d, np.sqrt(np.einsum("ij,ij->i", d, d))
 
     def value(self, x: Doubles, target: Doubles) -> float:
-        """In joules; `target` is where inertia and gravity alone would lead."""
+        """Return the energy in joules; `target`: the positions to which inertia and gravity alone would lead."""
         stretched = self._stretch(x)[1] - self.length
         moved = x - target
         inertia, bent = self.mass / H**2 * np.vdot(moved, moved), np.vdot(x, self.bending @ x)
         return float(inertia + STRETCHING * stretched @ stretched + bent) / 2
 
     def gradient(self, x: Doubles, target: Doubles) -> Doubles:
-        """One row a vertex."""
+        """Return the gradient, shape (n, 3)."""
         d, length = self._stretch(x)
         force = (STRETCHING * (1 - self.length / length))[:, None] * d
         result: Doubles = self.mass / H**2 * (x - target) + self.bending @ x + self.difference.T @ force
         return result
 
     def hessian(self, x: Doubles) -> Any:
-        """Positive definite: what a compressed spring would push sideways is left out."""
+        """Return a positive definite approximation of the Hessian, without the sideways push of compressed springs."""
         d, length = self._stretch(x)
         u = d / length[:, None]
         sideways = np.maximum(1 - self.length / length, 0)
@@ -98,7 +101,10 @@ class Cloth:
 
 
 def solve(matrix: Any, right: Doubles) -> Doubles:
-    """Conjugate gradients, to a tenth, or until a way of negative curvature: what has been found then leads down."""
+    """Solve by conjugate gradients until the residual is a tenth of `right`, or a direction has negative curvature.
+
+    The result is a direction of descent in both cases.
+    """
     inverse = 1 / np.abs(matrix.diagonal())
     x, way, residual, last = np.zeros_like(right), np.zeros_like(right), right.copy(), np.inf
     while residual @ residual > 0.01 * (right @ right):
@@ -115,7 +121,7 @@ def solve(matrix: Any, right: Doubles) -> Doubles:
 
 
 def folded(cells: int, layers: int = 6, gap: float = 0.03) -> tuple[Doubles, Doubles, npt.NDArray[np.int64]]:
-    """A square metre of cells x cells, laid in layers at an angle to its edges; the same flat; its triangles."""
+    """Return the pose of a square metre folded into layers at an angle to its edges, its flat pose, its faces."""
     s, t = (part.ravel() for part in np.meshgrid(*2 * [np.linspace(0, 1, cells + 1)], indexing="ij"))
     along, across = 0.95 * s + 0.3 * t, 0.95 * t - 0.3 * s
     radius = gap / 2
@@ -133,29 +139,29 @@ def folded(cells: int, layers: int = 6, gap: float = 0.03) -> tuple[Doubles, Dou
 
 
 class Scene:
-    """The folded cloth, on a floor of two triangles that stays where it is."""
+    """The folded cloth above a fixed floor of two triangles."""
 
     def __init__(self, cells: int, search: Any = Search) -> None:
         pose, flat, faces = folded(cells)
         floor = np.array([[-1.0, -1, 0], [2, -1, 0], [2, 2, 0], [-1, 2, 0]])
-        self.count = len(pose)  # of the cloth's vertices
+        self.count = len(pose)  # vertices of the cloth; those of the floor follow
         self.x = np.concatenate([pose, floor])
         self.velocity = np.zeros_like(self.x)
         self.faces = np.concatenate([faces, np.array([[0, 1, 2], [0, 2, 3]]) + self.count])
         self.mesh = ipctk.CollisionMesh(self.x, ipctk.edges(self.faces), self.faces)
         self.cloth = Cloth(flat, ipctk.edges(faces))
         self.barrier = ipctk.BarrierPotential(REACH, STIFFNESS)
-        self.collisions = ipctk.NormalCollisions()  # those of x
+        self.collisions = ipctk.NormalCollisions()  # at the positions x
         self.collisions.build(self.mesh, self.x, REACH)
         self.search = search(self.mesh)
         self.newton_steps = 0
 
     def energy(self, x: Doubles, target: Doubles) -> float:
-        """What a step minimises."""
+        """Return the energy that a step minimises."""
         return self.cloth.value(x[: self.count], target) + float(self.barrier(self.collisions, self.mesh, x))
 
     def direction(self, x: Doubles, target: Doubles) -> Doubles:
-        """Newton's, of all vertices; the floor's rest."""
+        """Return Newton's direction for all vertices; the floor's are zero."""
         n = self.count
         pushed = self.barrier.gradient(self.collisions, self.mesh, x).reshape(-1, 3)[:n]
         gradient = self.cloth.gradient(x[:n], target) + pushed
@@ -164,7 +170,7 @@ class Scene:
         return np.concatenate([solve(matrix, -gradient.ravel()).reshape(-1, 3), np.zeros((len(x) - n, 3))])
 
     def step(self) -> None:
-        """Implicit Euler: Newton's method until it moves vertices by less than a centimetre a second."""
+        """Take a step of implicit Euler, by Newton's method until it moves vertices by less than 0.01 m/s."""
         x, n = self.x.copy(), self.count
         target = x[:n] + H * self.velocity[:n] - [0, 0, H * H * GRAVITY]
         before = self.energy(x, target)

@@ -1,6 +1,6 @@
-"""A cloth in a hundred lines of NumPy that falls on a ball and never cuts it, or itself.
+"""A cloth in a hundred lines of NumPy falls on a ball, and never passes through it or itself.
 
-Springs pull, contacts push, and Tamis says how far each step may go: at least a tenth of every distance is kept.
+Springs pull, contacts push, and Tamis bounds each step so that every pair keeps at least a tenth of its distance.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 import tamis
 
-GAP = 0.01  # what contacts keep, in the unit of the positions
+GAP = 0.01  # the distance to which contacts push features apart, in the unit of the positions
 
 
 def grid(n: int) -> tuple[np.ndarray, np.ndarray]:
-    """A square of n x n vertices, at height 0.55; its triangles."""
+    """Return the n x n vertices of a square at height 0.55, and its triangles."""
     x, y = np.meshgrid(np.linspace(-0.7, 0.7, n), np.linspace(-0.7, 0.7, n), indexing="ij")
     a = (np.arange(n - 1)[:, None] * n + np.arange(n - 1)).ravel()
     faces = np.concatenate([np.stack([a, a + n, a + n + 1], 1), np.stack([a, a + n + 1, a + 1], 1)])
@@ -25,7 +25,7 @@ def grid(n: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def ball(n: int) -> tuple[np.ndarray, np.ndarray]:
-    """A sphere of radius 0.4 around the origin, of n rings: points on a cylinder, drawn in to the poles."""
+    """Return the vertices of a sphere of radius 0.4 around the origin, in n rings of 2 n, and its triangles."""
     height = np.cos(np.linspace(0.02, np.pi - 0.02, n))
     angle = np.linspace(0, 2 * np.pi, 2 * n, endpoint=False)
     z, phi = np.meshgrid(height, angle, indexing="ij")
@@ -36,7 +36,7 @@ def ball(n: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def pull(target: np.ndarray, springs: np.ndarray, rest: np.ndarray, weight: np.ndarray) -> np.ndarray:
-    """Move the ends of each spring half of the way to its rest length, averaged where springs meet."""
+    """Move both ends of each spring by half of its error times the end's weight, which averages where springs meet."""
     d = target[springs[:, 1]] - target[springs[:, 0]]
     length = np.linalg.norm(d, axis=1, keepdims=True)
     move = 0.5 * (1 - rest[:, None] / length) * d
@@ -47,7 +47,7 @@ def pull(target: np.ndarray, springs: np.ndarray, rest: np.ndarray, weight: np.n
 
 
 def push(x: np.ndarray, target: np.ndarray, near: tamis.Contacts, moves: np.ndarray) -> np.ndarray:
-    """Move the features of each near pair apart along its normal, until they are GAP from each other."""
+    """Move the features of each near pair apart along its normal, until their distance is GAP."""
     weights = near.weights
     before = np.einsum("ni,nij,nj->n", weights, x[near.vertices], near.normal)
     after = np.einsum("ni,nij,nj->n", weights, target[near.vertices], near.normal)
@@ -97,7 +97,7 @@ def main() -> None:
     figure = plt.figure(figsize=(8, 6), layout="constrained")
     axes = figure.add_subplot(projection="3d")
     colors = np.where(mesh.faces[:, :1] < n, [[0.36, 0.55, 0.75]], [[0.75, 0.72, 0.68]])
-    # matplotlib sorts triangles, not pixels: a ball of full size would shine through.
+    # The ball is drawn smaller: matplotlib sorts triangles, not pixels, and would show a ball of full size through.
     drawn = np.where(groups[:, None] == 1, 0.95 * x, x)
     axes.add_collection3d(Poly3DCollection(drawn[mesh.faces], facecolors=colors, edgecolors=colors, shade=True))
     axes.set(xlim=(-0.48, 0.48), ylim=(-0.48, 0.48), zlim=(-0.5, 0.3))

@@ -1,6 +1,6 @@
-"""Contacts between two frames, coloured by time: contacts_by_time.py [START END] [--scale S] [--out PICTURE].
+"""Draws the contacts between two frames, coloured by time: contacts_by_time.py [START END] [--scale S] [--out PICTURE].
 
-Without files: a scene of Tamis's own.
+Without files it takes a generated scene.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def main() -> None:
     axes = figure.add_subplot(projection="3d", computed_zorder=False)
     axes.plot_trisurf(*start.T, triangles=mesh.faces, color="#d5d5d5", linewidth=0, antialiased=False)
     where = contacts.points(start, end)[:, 0]
-    # As in the viewer: early is bright, late is dark.
+    # Early contacts are bright, late ones dark, as in the viewer.
     points = axes.scatter(*where.T, c=contacts.toi_lower, s=arguments.size, cmap="plasma_r", depthshade=False)
     figure.colorbar(points, ax=axes, shrink=0.7, label="time of impact, fraction of the step")
     axes.set_title(f"{len(contacts):,} contacts of one step, {len(mesh.faces):,} triangles")

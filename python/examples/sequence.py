@@ -1,7 +1,7 @@
-"""Check a sequence of frames on all cores: sequence.py FRAMES... [--out PICTURE].
+"""Checks a sequence of frames on all cores: sequence.py FRAMES... [--out PICTURE].
 
-FRAMES are files, folders or patterns. Steps are independent, so each thread asks a detector of its own: Tamis lets go
-of the interpreter's lock while it works. Without frames: one of Tamis's scenes, cut into eight steps.
+FRAMES are files, folders or patterns. Steps are independent, so each thread has a detector of its own: Tamis releases
+the interpreter's lock during a question. Without frames it takes a generated scene, cut into eight steps.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import tamis
 
 
 def frames_of(names: list[str]) -> tuple[tamis.Mesh, list[np.ndarray]]:
-    """Topology, and the positions of each frame."""
+    """Return the topology, and the positions of each frame."""
     if names:
         frames = list(tamis.read_frames(*names))
         return frames[0].mesh, [frame.positions for frame in frames]
@@ -28,7 +28,7 @@ def frames_of(names: list[str]) -> tuple[tamis.Mesh, list[np.ndarray]]:
 
 
 def answers(mesh: tamis.Mesh, frames: list[np.ndarray]) -> Iterator[tuple[tamis.Contacts, tamis.EarliestContact]]:
-    """Contacts of each step, and the first of them, in the order of the steps."""
+    """Yield all contacts and the first contact of each step, in the order of the steps."""
     local = threading.local()
 
     def ask(step: tuple[np.ndarray, np.ndarray]) -> tuple[tamis.Contacts, tamis.EarliestContact]:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests of the add-on run inside Blender: ``blender -b --python caches.py -- ZIP ANSWER``, or with bpy.
 
-Writes what it saw as JSON.
+Installs ZIP, checks several selections, and writes the results to ANSWER as JSON.
 """
 
 import json
@@ -17,7 +17,7 @@ zip_file, answer = sys.argv[sys.argv.index("--") + 1 :][:2]
 
 
 def unread():
-    """What shows something without a mesh of its own, and a lamp and a plain empty, which show nothing."""
+    """Return two objects that show meshes of others (instancers), and two that show nothing: a lamp, a plain empty."""
     group = bpy.data.collections.new("group")
     group.objects.link(mesh("grouped", [(-1, -1, 0), (1, -1, 0), (0, 1, 0)], [(0, 1, 2)]))
     whole = linked("whole", None)
@@ -29,7 +29,7 @@ def unread():
 
 
 def imported_as_alembic(things):
-    """The same things, as Blender reads them from the Alembic file that it writes of them."""
+    """Export objects to an Alembic file; return the objects that Blender imports from it."""
     file, before = str(pathlib.Path(answer).with_suffix(".abc")), set(bpy.context.scene.objects)
     select(*things)
     bpy.ops.wm.alembic_export(filepath=file, selected=True, start=1, end=12)

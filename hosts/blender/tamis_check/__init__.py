@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks a cache for what passes through what: bad frames on the timeline, their faces selected, their pairs drawn."""
+"""Checks a cache for intersections and contacts; marks bad frames on the timeline, selects faces and draws pairs."""
 
 bl_info = {
     "name": "Tamis: check this cache",
@@ -17,12 +17,12 @@ _PARTS = (settings, operators, panel, drawing)
 
 
 def register() -> None:
-    """Add everything to Blender."""
+    """Add the add-on to Blender."""
     for part in _PARTS:
         part.register()
 
 
 def unregister() -> None:
-    """Take everything out again."""
+    """Remove the add-on from Blender."""
     for part in reversed(_PARTS):
         part.unregister()

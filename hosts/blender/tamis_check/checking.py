@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Goes through the frames of a scene, and asks Tamis about each frame and about each step between two."""
+"""Goes through the frames of a scene, and asks Tamis about each frame and each step between two frames."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 from .library import Trouble, tamis
 from .recording import Selection, Topology, besides_meshes, frame_of, readable, topology_of
 
-# How many vertices the first feature of each kind of pair has: vf, ee, ve, vv, ef, as in tamis.AuditKind.
+# The number of vertices of the first feature, by tamis.AuditKind: vf, ee, ve, vv, ef.
 _FIRST = (1, 2, 1, 1, 2)
 _INTERSECTION = 4
 
@@ -42,13 +42,13 @@ def _counted(n: int, word: str) -> str:
 
 @dataclass
 class Findings:
-    """What was found so far."""
+    """The findings so far."""
 
     frames: int = 0
     steps: int = 0
     bad: dict[int, BadFrame] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
-    left_out: list[str] = field(default_factory=list)  # objects of which something was not asked about
+    left_out: list[str] = field(default_factory=list)  # objects that were not, or not wholly, asked about
 
     def __str__(self) -> str:
         if not self.frames:
@@ -61,7 +61,7 @@ class Findings:
 
 
 class Check:
-    """One run over the frames; `run` yields after each, and may be left at any time: `findings` has what was done."""
+    """One run over the frames. `run` yields after each frame; `findings` are complete until there."""
 
     def __init__(self, context: Any, frames: range, separation: float, rings: int) -> None:
         objects, left_out = readable(list(context.selected_objects))
@@ -139,7 +139,7 @@ class Check:
         return bad
 
     def _faces_of(self, triangles: list[int]) -> dict[str, np.ndarray]:
-        """Faces that triangles are cut from, by object."""
+        """Return the faces from which triangles are cut, by object."""
         topology = self._topology
         owner = np.searchsorted(topology.first_vertices, topology.triangles[triangles, 0], side="right") - 1
         faces = topology.face_of_triangle[triangles]

@@ -17,7 +17,7 @@ _handle: Any = None
 
 
 def lines_of(bad: BadFrame, is_intersection: bool) -> np.ndarray:
-    """Both ends of the sides of all features, shape (2 n, 3)."""
+    """Return the ends of all sides of the features of intersections, or of contacts: shape (2 n, 3)."""
     ends = [
         points[[*side]]
         for crosses, points in bad.features
@@ -28,7 +28,7 @@ def lines_of(bad: BadFrame, is_intersection: bool) -> np.ndarray:
 
 
 def points_of(bad: BadFrame) -> np.ndarray:
-    """Features that are single vertices."""
+    """Return the features that are single vertices, shape (n, 3)."""
     single = [points for _, points in bad.features if len(points) == 1]
     return np.vstack(single) if single else np.empty((0, 3))
 
@@ -61,5 +61,5 @@ def register() -> None:
 
 
 def unregister() -> None:
-    """Draw no more."""
+    """Stop drawing."""
     bpy.types.SpaceView3D.draw_handler_remove(_handle, "WINDOW")

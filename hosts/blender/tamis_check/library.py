@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The module `tamis` that lies in this add-on's folder, for Blender's own Python: no network, nothing to install."""
+"""Imports the module `tamis` from the wheel in this add-on's folder into Blender's own Python."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _WHEEL = pathlib.Path(__file__).parent / "wheel"
 
 
 class Trouble(Exception):
-    """A sentence for the user."""
+    """An error with a sentence for the user."""
 
 
 def tamis() -> Any:
@@ -20,7 +20,7 @@ def tamis() -> Any:
     Raises
     ------
     Trouble
-        It was built for another Python or another system.
+        The wheel was built for another Python or another system.
     """
     if str(_WHEEL) not in sys.path:
         sys.path.append(str(_WHEEL))

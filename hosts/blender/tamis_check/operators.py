@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the buttons do."""
+"""The operators behind the buttons."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _SECONDS_A_TURN = 0.1
 
 
 class TamisCheckCache(bpy.types.Operator):
-    """Ask of each frame what passes through what, and of each step between frames what touches."""
+    """Find the intersections in each frame, and the contacts in each step between frames."""
 
     bl_idname = "tamis.check_cache"
     bl_label = "Check this cache"
@@ -28,13 +28,13 @@ class TamisCheckCache(bpy.types.Operator):
     _timer: Any
 
     def execute(self, context: Any) -> set[str]:
-        """From a script: all frames at once."""
+        """Check all frames at once: Blender calls this from scripts."""
         if not self._begin(context):
             return {"CANCELLED"}
         return self._guarded(lambda: all(True for _ in self._frames))
 
     def invoke(self, context: Any, event: Any) -> set[str]:
-        """From the panel: some frames at a time, until Esc."""
+        """Begin to check some frames at a time, until Esc: Blender calls this from the panel."""
         if not self._begin(context):
             return {"CANCELLED"}
         self._timer = context.window_manager.event_timer_add(0.01, window=context.window)
@@ -43,7 +43,7 @@ class TamisCheckCache(bpy.types.Operator):
         return {"RUNNING_MODAL"}
 
     def modal(self, context: Any, event: Any) -> set[str]:
-        """Go on, unless Esc says otherwise; what was found until then stays."""
+        """Check some more frames, or end at Esc; the findings until then stay."""
         if event.type not in {"ESC", "TIMER"}:
             return {"PASS_THROUGH"}
         done = {"CANCELLED"}
@@ -68,7 +68,7 @@ class TamisCheckCache(bpy.types.Operator):
         return True
 
     def _some_frames(self, context: Any) -> bool:
-        """Return whether that was the last one."""
+        """Check frames for `_SECONDS_A_TURN`; return whether all are checked."""
         until = time.monotonic() + _SECONDS_A_TURN
         frames = self._check.frames
         for frame in self._frames:
@@ -111,7 +111,7 @@ class TamisShowFrame(bpy.types.Operator):
     frame: bpy.props.IntProperty(name="Frame")
 
     def execute(self, context: Any) -> set[str]:
-        """Go there."""
+        """Show the frame."""
         said = results.show(context, self.frame)
         if said:
             self.report({"WARNING"}, said)
@@ -126,7 +126,7 @@ class TamisClear(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     def execute(self, context: Any) -> set[str]:
-        """Forget what was found."""
+        """Remove them."""
         results.clear(context.scene)
         return {"FINISHED"}
 

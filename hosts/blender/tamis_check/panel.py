@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sidebar of the 3D view."""
+"""The panel in the sidebar of the 3D view."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ import bpy
 
 
 class TAMIS_UL_bad_frames(bpy.types.UIList):  # noqa: N801: Blender wants this form
-    """Bad frames; a click shows one."""
+    """The list of bad frames; a click on a row shows its frame."""
 
     def draw_item(
         self, context: Any, layout: Any, data: Any, item: Any, icon: Any, active_data: Any, active_property: Any
     ) -> None:
-        """One row."""
+        """Draw a row."""
         layout.label(text=f"{item.frame}   {item.text}", icon="ERROR")
 
 
 class TAMIS_PT_check(bpy.types.Panel):  # noqa: N801
-    """Options, the button, the list."""
+    """The panel: options, the button, the list."""
 
     bl_label = "Check this cache"
     bl_space_type = "VIEW_3D"
@@ -27,7 +27,7 @@ class TAMIS_PT_check(bpy.types.Panel):  # noqa: N801
     bl_category = "Tamis"
 
     def draw(self, context: Any) -> None:
-        """Lay it out."""
+        """Draw the panel."""
         settings, layout = context.scene.tamis_check, self.layout
         layout.prop(settings, "min_separation")
         layout.prop(settings, "rings")

@@ -17,7 +17,7 @@ _WITHOUT_SHAPE = {"ARMATURE", "CAMERA", "LATTICE", "LIGHT", "LIGHT_PROBE", "SPEA
 
 
 def readable(selected: list[Any]) -> tuple[list[Any], list[str]]:
-    """Objects that have a mesh, or are made one; and the names of those that show something else."""
+    """Return the objects that have a mesh or are converted to one, and the names of those that show something else."""
     shows = [thing for thing in selected if thing.type not in _WITH_MESH | _WITHOUT_SHAPE]
     other = [thing.name for thing in shows if thing.type != "EMPTY" or thing.instance_type == "COLLECTION"]
     other += [f"hair of {thing.name}" for thing in selected if any(map(_is_hair, thing.particle_systems))]
@@ -83,17 +83,17 @@ class Selection:
 
 @dataclass(frozen=True)
 class Topology:
-    """Of all objects together; vertices of each follow those of the one before."""
+    """The topology of all objects together; the vertices of each follow those of the one before."""
 
     names: list[str]
     vertex_counts: list[int]
     triangles: np.ndarray
-    face_of_triangle: np.ndarray  # of each object from 0
+    face_of_triangle: np.ndarray  # numbered in each object from 0
     loose_edges: np.ndarray
 
     @property
     def first_vertices(self) -> np.ndarray:
-        """Where each object begins, and where the last one ends."""
+        """The first vertex of each object, and the number of all vertices."""
         return np.concatenate([[0], np.cumsum(self.vertex_counts)])
 
     @property
@@ -102,13 +102,13 @@ class Topology:
         return len(self.triangles) + len(self.loose_edges) == 0
 
     def vertices_of(self) -> dict[str, Any]:
-        """The range of each object's vertices, by its name."""
+        """Return the range of each object's vertices, by the object's name."""
         first = self.first_vertices
         return {name: range(int(a), int(b)) for name, a, b in zip(self.names, first[:-1], first[1:])}
 
 
 def frame_of(objects: list[Any], depsgraph: Any) -> tuple[np.ndarray, np.ndarray]:
-    """World positions of all vertices, (n, 3); and how faces and edges are made of them: the same while topology is."""
+    """Return the world positions of all vertices, shape (n, 3), and an array that changes only if the topology does."""
     parts = [_with_mesh(thing, depsgraph, lambda *of: (_points(*of), _corners(*of))) for thing in objects]
     points, corners = [[part[i] for part in parts] for i in (0, 1)]
     return np.vstack([np.empty((0, 3)), *points]), np.concatenate([np.empty(0, np.int32), *corners])
@@ -118,7 +118,7 @@ _NO_ROWS = np.empty((0, 3), np.int32)  # where no object is shown
 
 
 def topology_of(objects: list[Any], depsgraph: Any) -> Topology:
-    """Triangles as Blender cuts faces in this frame; they stay so in all later ones."""
+    """Return the topology, with faces cut into triangles as in this frame; later frames keep these triangles."""
     parts = [_with_mesh(thing, depsgraph, _part) for thing in objects]
     counts = [part["vertices"] for part in parts]
     first = np.concatenate([[0], np.cumsum(counts)])

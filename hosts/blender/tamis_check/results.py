@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What was found, shown: markers on the timeline, rows of the list, selected faces."""
+"""Shows the findings: markers on the timeline, rows of the list, selected faces."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _found: dict[str, Findings] = {}
 
 
 def publish(scene: Any, findings: Findings) -> None:
-    """Take the place of what was found before."""
+    """Show these findings in place of those before."""
     clear(scene)
     settings = scene.tamis_check
     settings.key = uuid.uuid4().hex
@@ -50,7 +50,7 @@ def notes(scene: Any) -> list[str]:
 
 
 def show(context: Any, frame: int) -> str:
-    """Go to a frame and select the faces of its pairs; return what else there is to say."""
+    """Go to a frame and select the faces of its pairs; return a sentence about faces that cannot be selected, or ''."""
     context.scene.frame_set(frame)
     bad = bad_frame(context.scene, frame)
     if bad is None:
@@ -86,7 +86,7 @@ def _select_faces(mesh: Any, faces: np.ndarray) -> None:
 
 
 def _set_selected(mesh: Any, kind: str, things: Any, chosen: np.ndarray) -> None:
-    """Begin anew: Blender 5.0.1 crashes on writing into a selection that it holds as one value for all."""
+    """Replace a selection, removing the old one: Blender 5.0.1 crashes on writing to one that it stores as one value."""
     old = mesh.attributes.get(f".select_{kind}")
     if old:
         mesh.attributes.remove(old)

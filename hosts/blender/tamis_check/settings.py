@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a user sets, and the list of what was found: kept with the scene."""
+"""The user's settings and the list of findings, which are kept with the scene."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from . import results
 
 
 def _show(rows: Any, context: Any) -> None:
-    """A click on a row goes to its frame."""
+    """Show the frame of the row that was clicked."""
     if 0 <= rows.active < len(rows.bad):
         results.show(context, rows.bad[rows.active].frame)
 
 
 class TamisBadFrame(bpy.types.PropertyGroup):
-    """A row of the list."""
+    """A row of the list of bad frames."""
 
     frame: bpy.props.IntProperty()
     text: bpy.props.StringProperty()
 
 
 class TamisSettings(bpy.types.PropertyGroup):
-    """Of a scene."""
+    """The settings and findings of a scene."""
 
     min_separation: bpy.props.FloatProperty(
         name="Minimum separation",
@@ -48,12 +48,12 @@ _register, _unregister = bpy.utils.register_classes_factory((TamisBadFrame, Tami
 
 
 def register() -> None:
-    """Add them to Blender."""
+    """Add the classes and the scene's property to Blender."""
     _register()
     bpy.types.Scene.tamis_check = bpy.props.PointerProperty(type=TamisSettings)
 
 
 def unregister() -> None:
-    """Take them out again."""
+    """Remove them from Blender."""
     del bpy.types.Scene.tamis_check
     _unregister()

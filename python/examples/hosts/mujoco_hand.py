@@ -1,7 +1,7 @@
 """A hand of three fingers grasps a cloth that lies over a ball, in MuJoCo; `tamis.mujoco.Referee` follows every step.
 
-MuJoCo's flag `ipc` keeps flexes apart, and has nothing for bodies that move: this is what it leaves out. It needs
-``pip install '.[mujoco]'`` in the clone. With ``--scene ball`` a cloth under that flag falls on a ball that rests.
+MuJoCo's flag `ipc` keeps flexes apart, but does not support moving bodies: this scene is one that it cannot protect.
+With ``--scene ball`` a cloth under that flag falls on a ball at rest. Needs ``pip install '.[mujoco]'`` in the clone.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import tamis.mujoco
 
 
 def finger(name: str, angle: int) -> str:
-    """Two links of a finger, each with a hinge."""
+    """Return the XML of a finger: two links, each with a hinge. `angle`: in degrees around the palm."""
     return f"""
       <body name="{name}" pos="0 0 -0.02" euler="0 0 {angle}">
         <body pos="0.055 0 0">
@@ -32,7 +32,7 @@ def finger(name: str, angle: int) -> str:
 
 
 def cloth(vertices: int, size: float, height: float, radius: float, rest: str) -> str:
-    """A square cloth as a flex."""
+    """Return the XML of a square cloth as a flex; `rest`: its remaining attributes and children."""
     spacing = size / (vertices - 1)
     return f"""
     <flexcomp name="cloth" type="grid" count="{vertices} {vertices} 1" spacing="{spacing} {spacing} {spacing}" dim="2"
@@ -41,7 +41,7 @@ def cloth(vertices: int, size: float, height: float, radius: float, rest: str) -
 
 
 def hand_scene(vertices: int) -> str:
-    """A palm that goes up and down and turns, three fingers, a table, a ball, a cloth over both."""
+    """Return the XML of a palm that goes up and down and turns, three fingers, a table, a ball, a cloth over both."""
     names = [f"finger{i}" for i in range(3)]
     fingers = "".join(finger(name, 120 * i) for i, name in enumerate(names))
     motors = "".join(f'<position joint="{n}_knuckle" kp="3"/><position joint="{n}_tip" kp="1.5"/>' for n in names)
@@ -68,7 +68,7 @@ def hand_scene(vertices: int) -> str:
 
 
 def ball_scene(vertices: int) -> str:
-    """A cloth that falls on a ball under MuJoCo's own protection, `ipc`."""
+    """Return the XML of a cloth that falls on a ball under MuJoCo's flag `ipc`."""
     rest = """mass="0.2" euler="10 5 0"><contact selfcollide="auto"/>
       <elasticity young="1e4" poisson="0.1" thickness="1e-3" elastic2d="both" damping="0.005"/>"""
     return f"""
@@ -84,7 +84,7 @@ def ball_scene(vertices: int) -> str:
 
 
 def grasp(seconds: float) -> list[float]:
-    """Open above the cloth, go down, close, lift, turn: where the motors shall be."""
+    """Return the targets of the motors at a time: open above the cloth, go down, close, lift, turn."""
 
     def part(start: float, end: float) -> float:
         return float(np.clip((seconds - start) / (end - start), 0, 1))
@@ -94,7 +94,7 @@ def grasp(seconds: float) -> list[float]:
 
 
 def follow(model: Any, data: Any, steps: int, shown: int) -> None:
-    """Simulate, and have each step proven or named."""
+    """Simulate, check each step, and print the first `shown` bad steps, a summary, and the times."""
     referee = tamis.mujoco.Referee(model, data, threads=1)
     print(f"surfaces   {', '.join(referee.names)}: {len(referee.detector.mesh.faces):,} triangles")
     print(f"start      {len(referee.intersections())} intersections")
@@ -118,7 +118,7 @@ def follow(model: Any, data: Any, steps: int, shown: int) -> None:
 
 
 def by_pair(report: tamis.mujoco.RefereeReport) -> list[tuple[str, int, float]]:
-    """Gather meetings by who meets whom: in how many steps, and when first."""
+    """Return each pair of surfaces that meets, with the number of its meetings and the time of the first."""
     pairs: dict[str, list[float]] = {}
     for meeting in report.meetings:
         pairs.setdefault(" and ".join(dict.fromkeys((meeting.first, meeting.second))), []).append(meeting.time)
@@ -126,7 +126,7 @@ def by_pair(report: tamis.mujoco.RefereeReport) -> list[tuple[str, int, float]]:
 
 
 def main() -> None:
-    """Take the command line's word."""
+    """Read the command line, and follow the scene."""
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--scene", choices=["hand", "ball"], default="hand")
     options.add_argument("--steps", type=int, default=900)

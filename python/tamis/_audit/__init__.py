@@ -1,1 +1,1 @@
-"""Audits: is a whole motion free, and if not, where is it bad?"""
+"""Audits: whether a whole motion is free, and if not, where it is bad."""

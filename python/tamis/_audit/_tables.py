@@ -118,7 +118,9 @@ class AuditPairs(Table[AuditPair]):
     toi_lower = Column[Doubles](
         "Fraction of the step, shape (n,): before it the pair is proven apart; 1 for an intersection."
     )
-    toi_upper = Column[Doubles]("Fraction of the step, shape (n,): until then the pair has touched; 1 for an intersection.")
+    toi_upper = Column[Doubles](
+        "Fraction of the step, shape (n,): until then the pair has touched; 1 for an intersection."
+    )
     objects = Column[Indices]("The numbers of both features' objects, shape (n, 2).")
     rings = Column[Indices]("The number of edges from one feature to the other, as in `AuditPair`, shape (n,).")
 

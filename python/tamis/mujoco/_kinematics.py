@@ -173,7 +173,7 @@ class Carriers:
         return None
 
     def _told(self, start: Any, end: Any, kind: _Kind, out: Doubles) -> None:
-        """Write the moves of mocap bodies to `out`: straight to the next pose, by the shorter turn at constant speed."""
+        """Write the moves of mocap bodies to `out`: straight to the next pose, by the shorter turn at one speed."""
         numbers, bodies, (anchors, turns, shifts) = kind.numbers, kind.things, out
         anchors[numbers], shifts[numbers] = start.xpos[bodies], end.xpos[bodies] - start.xpos[bodies]
         local = np.zeros((len(bodies), 3))

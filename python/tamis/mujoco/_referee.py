@@ -29,7 +29,7 @@ _STEP_SEAM = 1e-9
 
 
 class Referee:
-    """Checks each step of a MuJoCo simulation: is it free of contacts, and if not, what touches what?
+    """Proves each step of a MuJoCo simulation free of contacts, or says which surfaces touch and when.
 
     >>> referee = tamis.mujoco.Referee(model, data)
     >>> while data.time < 1:

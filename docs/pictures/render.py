@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Renders a mesh with its contacts glowing: render.py MESH.ply CONTACTS.csv OUT.png [--yaw DEGREES] [--pitch DEGREES].
 
-MESH.ply as the command tamis reads it (triangles), CONTACTS.csv as `tamis contacts --out` writes it.
+MESH.ply has triangles, in binary; CONTACTS.csv is from `tamis contacts --out`.
 Needs NumPy and POV-Ray (Debian: python3-numpy, povray).
 """
 import argparse
@@ -11,7 +11,7 @@ import tempfile
 
 import numpy as np
 
-STEPS = 32  # colours between cloth and contact
+STEPS = 32  # the number of colours from cloth to contact
 CLOTH = np.array([0.36, 0.47, 0.62])
 OTHER = np.array([0.80, 0.80, 0.78])
 WARM = np.array([[0.95, 0.62, 0.12], [0.92, 0.16, 0.05]])
@@ -59,7 +59,7 @@ def vertex_normals(points, faces):
 
 
 def glow(contacts_path, vertex_count, faces):
-    """1 at vertices of a contact, fading over the neighbours."""
+    """Return a heat for each vertex: 1 at vertices of a contact, less at vertices around them."""
     rows = np.genfromtxt(contacts_path, delimiter=",", skip_header=1, usecols=(1, 2, 3, 4), dtype=int, ndmin=2)
     heat = np.zeros(vertex_count)
     heat[np.unique(rows)] = 1

@@ -2,8 +2,9 @@
 """Renders frames of `tamis scene` to pictures with POV-Ray.
 
 usage: render_scene.py FRAME.ply PICTURE.png --from X Y Z [--at X Y Z] [--angle DEGREES] [--up y|z] [--clear N ...]
-Needs the Debian packages povray, python3-numpy and python3-scipy. Each connected object gets a colour of its own, in
-the order of its first vertex; objects named by --clear (counted from 0) are drawn as glass, --hide leaves them out.
+Needs the Debian packages povray, python3-numpy and python3-scipy. Connected objects are numbered from 0 in the order of
+their first vertices; each gets a colour of its own. --clear draws the objects with these numbers as glass, --hide
+leaves them out.
 """
 import argparse
 import os
@@ -20,7 +21,7 @@ COLOURS = [(0.75, 0.22, 0.17), (0.30, 0.45, 0.62), (0.85, 0.72, 0.45), (0.42, 0.
 
 
 def objects_of(positions, faces):
-    """The object each face belongs to, numbered by first vertex."""
+    """Return the number of the object that each face belongs to; objects are numbered by first vertex."""
     ends = numpy.concatenate([faces[:, [0, 1]], faces[:, [1, 2]]])
     graph = coo_matrix((numpy.ones(len(ends)), ends.T), shape=(len(positions),) * 2)
     label = connected_components(graph, directed=False)[1][faces[:, 0]]

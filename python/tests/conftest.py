@@ -1,4 +1,4 @@
-"""What the tests share."""
+"""Settings and fixtures of all tests."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from hypothesis import settings
 
 import tamis
 
-# The same examples every time, and no clock: a slow machine is no failure.
+# Hypothesis makes the same examples every time, and has no deadline: a slow machine is no failure.
 settings.register_profile("fixed", derandomize=True, deadline=None, max_examples=100, database=None)
 settings.load_profile("fixed")
 
@@ -27,13 +27,13 @@ CUBE_FACES = np.array([corners for a, b, c, d in QUADS for corners in ((a, b, c)
 
 
 def at(*places: Any) -> npt.NDArray[np.float64]:
-    """Poses that do not turn."""
+    """Return poses at these places, without rotation."""
     return tamis.pose_of(np.zeros((len(places), 3)), np.array(places, float))
 
 
 @pytest.fixture(scope="session", autouse=True)
 def _pages(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Pages that nobody has named a place for are left where pytest clears up."""
+    """Write pages without a given name into a folder that pytest removes."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("tempfile.tempdir", str(tmp_path_factory.mktemp("pages")))
         yield
@@ -41,23 +41,23 @@ def _pages(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 
 @pytest.fixture
 def falling() -> tamis.Scene:
-    """Two triangles; vertex 3 of the second falls through the first, at half of the step."""
+    """Return two triangles: vertex 3, of the second, falls through the first at t = 0.5."""
     return tamis.Scene(tamis.Mesh(FACES), START.copy(), END.copy(), np.array([0, 0, 0, 1, 1, 1], np.int32))
 
 
 @pytest.fixture
 def detector(falling: tamis.Scene) -> tamis.Detector:
-    """Asks about the falling triangle."""
+    """Return a detector of the falling triangle."""
     return tamis.Detector(falling.mesh)
 
 
 @pytest.fixture(scope="session")
 def soup() -> tamis.Scene:
-    """Triangles that cross each other: thousands of contacts."""
+    """Return triangles that cross each other, with thousands of contacts."""
     return tamis.scene("soup", 200, seed=3)
 
 
 @pytest.fixture(scope="session")
 def cube() -> tamis.Shape:
-    """A body with edges of length 1 about its origin."""
+    """Return a cube of edge length 1, centred at its origin."""
     return tamis.Shape(tamis.Mesh(CUBE_FACES), CUBE)

@@ -17,11 +17,11 @@ Points = Sequence[Sequence[float]]
 
 
 class Degenerate(Exception):
-    """Always coplanar, or no normal at the time in question: not for this oracle."""
+    """A pair that this oracle cannot decide: it is always coplanar, or has no normal at the time in question."""
 
 
 class Interval(NamedTuple):
-    """[lower, upper], with one root in it."""
+    """An interval [lower, upper] that contains one root."""
 
     lower: Fraction
     upper: Fraction
@@ -74,7 +74,7 @@ def derivative(p: Polynomial) -> Polynomial:
 
 
 def roots_in(p: Polynomial, lower: Fraction, upper: Fraction) -> int:
-    """Number of distinct roots in (lower, upper]."""
+    """Return the number of distinct roots in (lower, upper]."""
     chain = [p, derivative(p)]
     while chain[-1]:
         chain.append([-c for c in divided(chain[-2], chain[-1])[1]])
@@ -87,7 +87,7 @@ def roots_in(p: Polynomial, lower: Fraction, upper: Fraction) -> int:
 
 
 def isolated(p: Polynomial) -> list[Interval]:
-    """Intervals around the roots of a square-free p in [0, 1], in order; a root that is met exactly has no width."""
+    """Return intervals around the roots of a square-free p in [0, 1], in order; of width 0 for a root found exactly."""
     found = [Interval(Fraction(0), Fraction(0))] if at(p, Fraction(0)) == 0 else []
     todo = [Interval(Fraction(0), Fraction(1))]
     while todo:
@@ -109,7 +109,7 @@ def halved(p: Polynomial, root: Interval) -> Interval:
 
 
 def sign_at(q: Polynomial, p: Polynomial, root: Interval) -> int:
-    """The sign of q at the one root of p in the interval."""
+    """Return the sign of q at the only root of p in the interval."""
     if root.lower == root.upper:
         value = at(q, root.lower)
         return (value > 0) - (value < 0)
@@ -143,7 +143,7 @@ def moving(start: Sequence[float], end: Sequence[float]) -> Vector:
 
 
 def weights(kind: int, p: Vector, a: Vector, b: Vector, c: Vector) -> tuple[Polynomial, Polynomial, list[Polynomial]]:
-    """The cubic, the normal's squared length, and what must not be negative where they touch."""
+    """Return the cubic, the normal's squared length, and polynomials that are all >= 0 where the features touch."""
     if kind == 0:
         n = cross(minus(b, a), minus(c, a))
         q = minus(p, a)
@@ -157,7 +157,7 @@ def weights(kind: int, p: Vector, a: Vector, b: Vector, c: Vector) -> tuple[Poly
 
 
 def first_contact(kind: int, start: Points, end: Points) -> Interval | None:
-    """An interval of at most 2^-60 around the first time at which the pair touches; None if it never does."""
+    """Return an interval, at most 2^-60 wide, around the first time at which the pair touches; None if it does not."""
     cubic, area, conditions = weights(kind, *(moving(s, e) for s, e in zip(start, end)))
     if not cubic:
         raise Degenerate
@@ -173,7 +173,7 @@ def first_contact(kind: int, start: Points, end: Points) -> Interval | None:
 
 
 def contacts(faces: Sequence[Sequence[int]], start: Points, end: Points) -> dict[tuple[int, ...], Interval]:
-    """Every contact of a mesh, by kind and vertices."""
+    """Return every contact of a mesh, by kind and vertices."""
     points = sorted({v for face in faces for v in face})
     edges = sorted({tuple(sorted(pair)) for face in faces for pair in combinations(face, 2)})
     candidates = [(0, (p, *face)) for p in points for face in faces if p not in face]

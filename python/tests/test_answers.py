@@ -1,4 +1,4 @@
-"""All answers with many rows are used alike: rows, parts, weights, points, features, data frames."""
+"""All tables of answers work alike: rows, parts, weights, points, features, data frames."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ D = 0.05
 
 @pytest.fixture(scope="module")
 def mixed() -> tamis.Scene:
-    """Random triangles, rods and points: all four kinds of pairs."""
+    """Return random triangles, rods and points, with all four kinds of pairs."""
     random = np.random.default_rng(4)
     mesh = tamis.Mesh(np.arange(36).reshape(-1, 3), 90, np.arange(36, 60).reshape(-1, 2), np.arange(60, 90))
     start = random.random((90, 3))
@@ -46,7 +46,7 @@ NAMES = pytest.mark.parametrize("name", ["contacts", "near", "intersections", "p
 
 @NAMES
 def test_rows_and_parts(answers: dict[str, Any], name: str) -> None:
-    """Bug: near pairs, intersections and single pairs could not be indexed, nor gone through."""
+    """Bug: near pairs, intersections and single pairs could not be indexed, nor iterated over."""
     answer = answers[name]
     n = len(answer)
     assert n > 4 and answer[-1] == answer[n - 1] == list(answer)[-1]
@@ -110,10 +110,10 @@ def _between(points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
 
 
 def test_points_of_contacts(mixed: tamis.Scene, answers: dict[str, Any]) -> None:
-    """Bug: a weight of another vertex, or of another sign; examples derived them again."""
+    """Would catch a weight of another vertex, or of another sign."""
     contacts = answers["contacts"]
     points = contacts.points(mixed.start, mixed.end)
-    late = contacts.toi_lower > 0  # the others have touched from the start, so that they may be nearer
+    late = contacts.toi_lower > 0  # pairs that touch at the start may be nearer
     assert points.shape == (len(contacts), 2, 3) and late.sum() > 20
     assert np.allclose(_between(points)[late], D, atol=1e-9)
     t = contacts.toi_upper[:, None, None]
@@ -157,7 +157,7 @@ def test_points_of_intersections(mixed: tamis.Scene, answers: dict[str, Any]) ->
 
 
 def test_points_of_single_pairs(mixed: tamis.Scene, answers: dict[str, Any]) -> None:
-    """Bug: single pairs knew neither their kinds nor their vertices."""
+    """Bug: the answers about single pairs had neither kinds nor vertices."""
     pairs, contacts = answers["pairs"], answers["contacts"]
     assert np.array_equal(pairs.kind, contacts.kind) and np.array_equal(pairs.vertices, contacts.vertices)
     assert pairs[7].vertices == contacts[7].vertices and pairs[7].kind == contacts[7].kind

@@ -1,4 +1,4 @@
-"""What users hand over: layouts that are read in place, layouts that are copied, and what is refused."""
+"""Arrays of users: layouts that are read in place, layouts that are copied, and arrays that are refused."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tamis._arrays import rows
 
 
 def strided(points: np.ndarray, width: int = 5) -> np.ndarray:
-    """The rows of `points` in the first columns of a wider array; the others hold NaN: reading one of them shows."""
+    """Return `points` as the first columns of a wider array, whose other columns are NaN: reading one would show."""
     wide = np.full((len(points), width), np.nan)
     wide[:, :3] = points
     return wide[:, :3]
@@ -56,7 +56,7 @@ def test_read_where_it_lies(falling: tamis.Scene, name: str) -> None:
 
 
 def test_one_row_of_any_stride() -> None:
-    """Bug: a single row that was reversed was refused as no n x 3 array of doubles."""
+    """Bug: a single reversed row was refused as no n x 3 array of doubles."""
     detector = tamis.Detector(tamis.Mesh([], 1, points=[0]))
     row = np.array([[1.0, 2.0, 3.0]])
     for one in (row[::-1], np.array([[0.0] * 3, row[0]])[::-2]):
@@ -64,7 +64,7 @@ def test_one_row_of_any_stride() -> None:
 
 
 def test_the_largest_number_is_refused_by_name(falling: tamis.Scene) -> None:
-    """Bug: the count was one more than fits, and an argument that was not given was named, or none."""
+    """Bug: the count did not fit 32 bits; the sentence named an argument that was not given, or none."""
     with pytest.raises(tamis.InvalidMesh, match="faces, edges or points name vertex 2147483647: give indices below"):
         tamis.Mesh([[0, 1, 2**31 - 1]])
     with pytest.raises(tamis.InvalidOptions, match="groups holds 2147483647: give groups below"):
@@ -81,7 +81,7 @@ def test_copied_once(falling: tamis.Scene, name: str) -> None:
 
 
 def test_arrays_that_die_early(soup: tamis.Scene) -> None:
-    """Numbers of an answer do not need the inputs, and do not keep them; what can be looked at does."""
+    """Tables do not keep the inputs alive; contacts, which can be shown, do."""
     start, end = soup.start.copy(), soup.end.copy()
     gone = weakref.ref(start)
     found = tamis.Detector(tamis.Mesh(soup.mesh.faces.copy())).contacts(start, end)

@@ -1,4 +1,4 @@
-"""What becomes of pairs that touch at the start, and of pairs that are neighbours along the mesh."""
+"""The options `at_start`, for pairs that touch at the start, and `rings`, for neighbours along the mesh."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ IGNORED = {"contacts": 0, "earliest": 1, "is_free": True, "safe_step": 1, "trunc
 
 @pytest.fixture
 def lying() -> tamis.Detector:
-    """A point on a triangle, within the separation."""
+    """Return a point above a triangle, within the separation."""
     return tamis.Detector(tamis.Mesh([[0, 1, 2]], points=[3], vertex_count=4), min_separation=0.1)
 
 

@@ -12,14 +12,14 @@ import tamis
 
 gltf = pytest.importorskip("pygltflib")
 
-# A square whose two triangles share no vertex, as where normals differ.
+# A square whose two triangles share no vertex, as in files where normals differ.
 _FLOOR = np.array([[-1, -1, 0], [2, -1, 0], [2, 2, 0], [-1, -1, 0], [2, 2, 0], [-1, 2, 0]], "<f4")
 _SPIKE = np.array([[0, 0.1, 1], [0.3, 0, 1.5], [0, 0.3, 1.5]], "<f4")
 _TURN = [0.0, 0.0, np.sin(np.pi / 4), np.cos(np.pi / 4)]
 
 
 class _File:
-    """A file that grows."""
+    """Builds a file."""
 
     def __init__(self) -> None:
         self.blob = bytearray()
@@ -42,7 +42,7 @@ class _File:
         return len(self.gltf.accessors) - 1
 
     def animate(self, node: int, path: str, values: Any, how: str = "LINEAR", seconds: float = 1.0) -> None:
-        """Move a property of a node from the first value to the last."""
+        """Animate a property of a node, from the first value to the last."""
         keys = len(values) // (3 if how == "CUBICSPLINE" else 1)
         times = np.linspace(0, seconds, keys, dtype="<f4")[:, np.newaxis]
         sampler = gltf.AnimationSampler(
@@ -61,7 +61,7 @@ class _File:
 
 
 def _check(path: pathlib.Path) -> tamis.AuditReport:
-    """The spike goes down by 2 in a second, and meets the floor at half of it."""
+    """The spike goes down by 2 in a second, and meets the floor after half a second."""
     report = tamis.audit(tamis.read_gltf(path, frames_per_second=5))
     assert report.frames.names == ["0 s", "0.2 s", "0.4 s", "0.6 s", "0.8 s", "1 s"]
     assert report.first_bad is not None and report.first_bad.frame == 3
@@ -89,7 +89,7 @@ def test_skins(tmp_path: pathlib.Path) -> None:
     file = _File()
     file.gltf.nodes += [gltf.Node(name="bone", translation=[0, 0, 7]), gltf.Node(name="root", children=[2])]
     inverse = np.eye(4, dtype="<f4")
-    inverse[3, 2] = -7  # column by column: the bone's rest is at z = 7
+    inverse[3, 2] = -7  # columns are stored one after the other: the bone's rest is at z = 7
     file.gltf.skins = [
         gltf.Skin(
             joints=[2, 3], inverseBindMatrices=file.add(np.stack([inverse, np.eye(4, dtype="<f4")]).reshape(2, 16))
@@ -168,7 +168,7 @@ def test_what_cannot_be_used(tmp_path: pathlib.Path) -> None:
 def test_nodes_that_are_no_tree(tmp_path: pathlib.Path) -> None:
     file = _File()
     nodes = file.gltf.nodes
-    nodes += [gltf.Node(children=[len(nodes) + i + 1]) for i in range(3000)]  # more than Python may call in each other
+    nodes += [gltf.Node(children=[len(nodes) + i + 1]) for i in range(3000)]  # more than Python's recursion limit
     nodes[-1].children = [1]
     file.animate(2, "translation", [[0, 0, 0], [0, 0, -2]])
     file.gltf.scenes = [gltf.Scene(nodes=[0, 2, 0])]

@@ -23,7 +23,7 @@ def _mesh(stage: Any, path: str, points: Any, counts: list[int], corners: list[i
 
 
 def _stage() -> Any:
-    """A spike that falls through a floor of one square, in a world that is moved up."""
+    """Return a spike that falls through a floor of one square, in a world that is moved up."""
     stage = Usd.Stage.CreateInMemory()
     UsdGeom.Xform.Define(stage, "/World").AddTranslateOp().Set(Gf.Vec3d(0, 0, 5))
     _mesh(stage, "/World/Floor", [(-1, -1, 0), (2, -1, 0), (2, 2, 0), (-1, 2, 0)], [4], [0, 1, 2, 3])
@@ -78,7 +78,7 @@ def test_what_turns_is_asked_frame_by_frame() -> None:
     turn = blade.AddRotateZOp()
     turn.Set(0, 1)
     turn.Set(180, 19)
-    report = tamis.audit(stage)  # straight from 1 to 19 it would go through the axis, below the post
+    report = tamis.audit(stage)  # straight motion from 1 to 19 would go through the axis, below the post
     assert report.frames.names == [str(time) for time in range(1, 20)]
     assert report.first_bad is not None and report.first_bad.name == "5"
     stage.SetTimeCodesPerSecond(1)
@@ -90,7 +90,7 @@ def test_what_turns_is_asked_frame_by_frame() -> None:
 
 
 def test_splines_are_asked_frame_by_frame() -> None:
-    """Would catch a motion without samples of its own that is taken for none."""
+    """Would catch that a motion without samples of its own counts as no motion."""
     pxr_ts = pytest.importorskip("pxr.Ts")
     stage = _stage()
     spike = UsdGeom.Mesh(stage.GetPrimAtPath("/World/Spike"))
@@ -169,7 +169,7 @@ def test_points_that_become_none_are_a_frame_that_cannot_be_used() -> None:
 
 
 def _skinned_stage() -> Any:
-    """A triangle on a bone that turns by half a turn from time 0 to 2."""
+    """Return a triangle on a bone that turns by half a turn from time 0 to 2."""
     stage = Usd.Stage.CreateInMemory()
     UsdSkel.Root.Define(stage, "/R")
     skeleton = UsdSkel.Skeleton.Define(stage, "/R/S")

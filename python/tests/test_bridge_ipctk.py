@@ -1,4 +1,4 @@
-"""What Tamis finds, in ipctk's hands: the same collisions as from ipctk's own broad phase."""
+"""Pairs of Tamis, given to ipctk, make the same collisions as ipctk's own broad phase."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SETS = ipctk.NormalCollisions.CollisionSetType
 
 @pytest.fixture(scope="module")
 def pose() -> tuple[Any, Numbers]:
-    """Triangles, rods and points in a small room; the edges in an order of their own, in either direction."""
+    """Return triangles, rods and points close together; edges in random order, in either direction."""
     random = np.random.default_rng(8)
     faces = np.arange(90, dtype=np.int32).reshape(-1, 3)
     rods = np.arange(90, 130, dtype=np.int32).reshape(-1, 2)
@@ -33,7 +33,7 @@ def pose() -> tuple[Any, Numbers]:
 
 
 def _candidates(candidates: Any) -> set[tuple[str, int, int]]:
-    """Each by its kind and its two numbers."""
+    """Return the candidates as tuples of kind and both numbers."""
     return {
         *(("fv", c.face_id, c.vertex_id) for c in candidates.fv_candidates),
         *(("ee", *sorted((c.edge0_id, c.edge1_id))) for c in candidates.ee_candidates),
@@ -45,7 +45,7 @@ def _candidates(candidates: Any) -> set[tuple[str, int, int]]:
 def _collisions(
     mesh: Any, positions: Numbers, built_from: tuple[Any, ...], kind: Any
 ) -> dict[Any, tuple[float, float]]:
-    """Distance and weight of each collision, by its vertices."""
+    """Return distance and weight of each collision, by its vertices."""
     collisions = ipctk.NormalCollisions()
     collisions.collision_set_type = kind
     collisions.build(*built_from, mesh, positions, REACH)
@@ -59,7 +59,7 @@ def _collisions(
 
 
 def test_candidates_have_the_numbers_of_ipctk(pose: tuple[Any, Numbers]) -> None:
-    """Bug: an edge by Tamis's number is another edge for ipctk."""
+    """Would catch Tamis's number of an edge given to ipctk, where it is another edge."""
     mesh, positions = pose
     near = tamis.Detector(bridge.mesh(mesh)).pairs_within(positions, REACH)
     assert set(near.kind) == {0, 1, 2, 3}
@@ -74,7 +74,7 @@ def test_candidates_have_the_numbers_of_ipctk(pose: tuple[Any, Numbers]) -> None
 
 @pytest.mark.parametrize("kind", [SETS.IPC, SETS.IMPROVED_MAX_APPROX, SETS.OGC], ids=lambda kind: str(kind))
 def test_the_same_collisions(pose: tuple[Any, Numbers], kind: Any) -> None:
-    """Squared distances, which ipctk has itself measured, agree to 1e-15: of edges in another order."""
+    """The distances that ipctk measures agree to 1e-15: the order of edges differs."""
     mesh, positions = pose
     near = tamis.Detector(bridge.mesh(mesh)).pairs_within(positions, REACH)
     ours = _collisions(mesh, positions, (bridge.candidates(near, mesh),), kind)
@@ -85,7 +85,7 @@ def test_the_same_collisions(pose: tuple[Any, Numbers], kind: Any) -> None:
 
 
 def test_one_list_for_a_whole_line_search(pose: tuple[Any, Numbers]) -> None:
-    """Against brute force, pose by pose: no pair that comes within reach on the way may be missing."""
+    """Against brute force in many poses: no pair that comes within reach on the way may be missing."""
     mesh, start = pose
     end = start + 0.05 * np.random.default_rng(3).standard_normal(start.shape)
     detector = tamis.Detector(bridge.mesh(mesh))
@@ -112,7 +112,7 @@ def test_one_list_for_a_whole_line_search(pose: tuple[Any, Numbers]) -> None:
 
 
 def test_mixed_with_a_potential(pose: tuple[Any, Numbers]) -> None:
-    """Barrier, gradient and friction of ipctk, on collisions from Tamis's pairs."""
+    """Barrier, gradient and friction of ipctk are the same on collisions from Tamis's pairs."""
     mesh, positions = pose
     ours, theirs = ipctk.NormalCollisions(), ipctk.NormalCollisions()
     near = tamis.Detector(bridge.mesh(mesh)).pairs_within(positions, REACH)
@@ -134,7 +134,7 @@ def test_mixed_with_a_potential(pose: tuple[Any, Numbers]) -> None:
 
 
 def test_asked_again(pose: tuple[Any, Numbers]) -> None:
-    """Bug: candidates that are kept from call to call were those of another call, or of another mesh."""
+    """Would catch cached candidates of another call, or of another mesh."""
     mesh, positions = pose
     assert bridge.mesh(mesh) is bridge.mesh(mesh)
     near = tamis.Detector(bridge.mesh(mesh)).pairs_within(positions, REACH)
@@ -149,7 +149,7 @@ def test_asked_again(pose: tuple[Any, Numbers]) -> None:
 
 
 def test_an_edge_from_a_vertex_to_itself() -> None:
-    """Would catch that it takes the number of another: pairs with that one are then lost to the barrier."""
+    """Would catch that it takes the number of another edge, whose pairs are then lost to the barrier."""
     faces = np.array([[0, 1, 2], [3, 4, 5]])
     positions = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, 0.2], [1, 0.5, 1], [0.5, 1, 1]])
     mesh = ipctk.CollisionMesh(positions, np.concatenate([ipctk.edges(faces), [[3, 3]]]), faces)

@@ -56,7 +56,7 @@ def _loose_points(case: Case) -> Integers:
 
 
 def _filter(random: np.random.Generator, case: Case) -> None:
-    """Say which vertices may collide. ipctk 1.6.1 asks this of loose points by wrong numbers: let there be none."""
+    """Choose which vertices may collide, and join all loose points: ipctk 1.6.1 asks about these by wrong numbers."""
     ends = [[point, (point + 1) % len(case.start)] for point in _loose_points(case)]
     case.edges = np.concatenate([case.edges, np.array(ends, np.int32).reshape(-1, 2)])
     case.may = random.random((len(case.start), len(case.start))) < 0.3
@@ -64,7 +64,7 @@ def _filter(random: np.random.Generator, case: Case) -> None:
 
 
 def _aim_a_point(random: np.random.Generator, case: Case) -> None:
-    """Let a loose point pass through the middle of an edge that rests, or through a point: exactly, in few bits."""
+    """Let a loose point pass exactly through the middle of an edge at rest, or a point: coordinates have few bits."""
     if len(_loose_points(case)) < 2:
         return
     point, other = random.choice(_loose_points(case), 2, replace=False)
@@ -105,20 +105,20 @@ class Comparison:
         self.step = case.start, case.end, case.separation
         ask = self.ours.detector.earliest
         self.touch = ask(case.start, case.end, min_separation=case.separation)
-        # TightInclusionCCD stops pairs 1e-4 apart, by the largest coordinate, and not by 1e-6 sharper.
+        # TightInclusionCCD stops pairs when their largest coordinate difference is 1e-4, with an error of 1e-6.
         self.margin = ask(case.start, case.end, min_separation=3**0.5 * 1.1e-4).toi_lower
         if case.separation:
             self.margin = compat.compute_collision_free_stepsize(self.ours, *self.step, None, self.narrow_of(compat))
         self.is_decided = (self.touch.contact is None) == (self.margin == 1)
 
     def narrow_of(self, library: Any) -> Any:
-        """A narrow phase; with a separation, the one that measures it as a distance."""
+        """Return a narrow phase; with a separation the one that measures Euclidean distance."""
         return (
             library.AdditiveCCD(conservative_rescaling=0.999) if self.case.separation else library.TightInclusionCCD()
         )
 
     def answers(self, name: str) -> list[tuple[Any, Any]]:
-        """Of ours and theirs to a question about the step: of the function, and of the method of candidates."""
+        """Return our and their answers to a question about the step, by the function and by Candidates' method."""
         both: tuple[list[Any], list[Any]] = [], []
         for answers, library, mesh in ((both[0], compat, self.ours), (both[1], ipctk, self.theirs)):
             answers.append(getattr(library, name)(mesh, *self.step, library.BruteForce(), self.narrow_of(library)))
@@ -132,7 +132,7 @@ class Comparison:
             assert ours == (self.touch.contact is None)
             assert theirs == ours if self.is_decided else ours
         for ours, theirs in self.answers("compute_collision_free_stepsize"):
-            # Where ipctk has less than 1e-6 to go, it takes 0.8 of that.
+            # If ipctk's step is shorter than 1e-6, it takes 0.8 of it.
             assert 0.8 * (self.margin - 2e-6) <= min(ours, theirs) and max(ours, theirs) <= self.touch.toi_upper
             assert not self.is_decided or (ours == 1) == (theirs == 1)
         for positions in (self.case.start, self.case.end):
@@ -140,9 +140,9 @@ class Comparison:
 
 
 def test_random_meshes() -> None:
-    """Bug: points of no edge and no face took no part."""
+    """Bug: loose points took no part in contacts."""
     ipctk.set_logger_level(ipctk.LoggerLevel.off)
-    ipctk.set_num_threads(1)  # with more, it waits for ever for a can_collide of Python's
+    ipctk.set_num_threads(1)  # with more threads it waits for ever for a can_collide in Python
     kinds: list[str] = []
     undecided = free = 0
     for seed in range(MESHES):
@@ -161,7 +161,7 @@ def test_random_meshes() -> None:
 
 
 def test_edges_come_in_the_same_order() -> None:
-    """Bug: data that a script keeps by ipctk's edges was that of other edges."""
+    """Bug: data of ipctk's edges was used for other edges."""
     for name in ("folded-cloth", "tangle", "fans"):
         faces = tamis.scene(name, 300).mesh.faces
         assert np.array_equal(compat.edges(faces), ipctk.edges(faces)), name

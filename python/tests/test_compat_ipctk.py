@@ -1,4 +1,4 @@
-"""Scripts written for ipctk, with one import changed. What is expected was taken from ipctk 1.6.1 itself."""
+"""Scripts written for ipctk, with one import changed. The expected values come from ipctk 1.6.1 itself."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_vertices_that_may_not_collide(mesh: ipctk.CollisionMesh, falling: tamis
     assert not ipctk.is_step_collision_free(mesh, falling.start, falling.end)
 
 
-# Bug: an ipctk.CollisionMesh, which cannot answer here, ends in an AttributeError about an attribute no user knows.
+# Bug: an ipctk.CollisionMesh, which is not supported here, raised an AttributeError about a private attribute.
 @pytest.mark.parametrize("wrong", [tamis.Mesh([[0, 1, 2]]), None])
 def test_meshes_of_another_kind(wrong: Any) -> None:
     positions, candidates = np.zeros((3, 3)), ipctk.Candidates()
@@ -96,7 +96,7 @@ def test_single_pairs() -> None:
 
 @pytest.mark.parametrize(("rescaling", "expected"), [(1.0, 0.5), (0.9, 0.45), (0.5, 0.25), (0.1, 0.05)])
 def test_single_pairs_keep_what_the_rescaling_says(rescaling: float, expected: float) -> None:
-    """Bug: `conservative_rescaling` counted for steps of a mesh alone."""
+    """Bug: `conservative_rescaling` had no effect on single pairs."""
     narrow = ipctk.AdditiveCCD(conservative_rescaling=rescaling)
     touches, toi = narrow.point_point_ccd([0, 0, 1], [0, 0, 0], [0, 0, -1], [0, 0, 0])
     assert touches and toi == pytest.approx(expected)
@@ -137,7 +137,7 @@ def test_counts(mesh: ipctk.CollisionMesh) -> None:
 
 
 def test_points_of_no_edge_and_no_face(falling: tamis.Scene) -> None:
-    """Bug: they passed through everything."""
+    """Bug: loose points passed through everything."""
     faces = falling.mesh.faces[:1]
     mesh = ipctk.CollisionMesh(falling.start[:4], ipctk.edges(faces), faces)
     step = falling.start[:4], falling.end[:4]
@@ -148,7 +148,7 @@ def test_points_of_no_edge_and_no_face(falling: tamis.Scene) -> None:
 
 
 def test_intersections_that_do_not_count(mesh: ipctk.CollisionMesh, falling: tamis.Scene) -> None:
-    """Bug: `can_collide` was not asked of them, as ipctk does."""
+    """Bug: `can_collide` was not asked about intersections, as ipctk does."""
     assert ipctk.has_intersections(mesh, falling.end)
     mesh.can_collide = lambda a, b: {a, b} == {3, 1}
     assert ipctk.has_intersections(mesh, falling.end)

@@ -47,7 +47,7 @@ def test_contacts_are_sorted_by_kind_and_vertices(found: tamis.Contacts) -> None
 
 
 def test_saved_numbers_read_back_to_the_same_doubles(found: tamis.Contacts, tmp_path: pathlib.Path) -> None:
-    for part in (found, found[::3]):  # with gaps between the records
+    for part in (found, found[::3]):  # the second has gaps between its rows
         part.save(tmp_path / "contacts.csv")
         with (tmp_path / "contacts.csv").open() as file:
             rows = list(csv.DictReader(file))
@@ -70,7 +70,7 @@ def test_a_folder_that_is_not_there(found: tamis.Contacts, tmp_path: pathlib.Pat
 
 
 def test_results_stay_as_they_are(soup: tamis.Scene) -> None:
-    """Would catch memory that the detector uses again while an array still looks at it."""
+    """Would catch memory that the detector reuses while an array still refers to it."""
     detector = tamis.Detector(soup.mesh)
     first = detector.contacts(soup.start, soup.end)
     copy = first.table.copy()

@@ -21,13 +21,13 @@ HALF_TURN = [0.0, 0.0, math.pi]
 
 
 def turning_blade() -> tamis.RigidPath:
-    """Ends beyond the wall; the straight way between both ends goes through the axis, where the wall is not."""
+    """Return the path of the blade. Straight motion between its ends goes through the axis, where there is no wall."""
     chains = [np.empty((0, 4, 3)), tamis.turned(STILL, HALF_TURN, [0, 0, 0])]
     return tamis.RigidPath(WALL + BLADE, [0, 0, 0, 1, 1, 1], chains)
 
 
 def positions_of_blade(time: float, vertices: npt.NDArray[np.int32]) -> tuple[npt.NDArray[np.float64], float]:
-    """The same motion by NumPy; its rounding is far below the error that it admits."""
+    """Compute the same motion with NumPy; its rounding is far below the error that it returns."""
     angle = math.pi * time
     turn = np.array([[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1]])
     points = np.array(WALL + BLADE)[vertices]
@@ -37,7 +37,7 @@ def positions_of_blade(time: float, vertices: npt.NDArray[np.int32]) -> tuple[np
 
 
 def deviations_of_blade(start: float, end: float, vertices: npt.NDArray[np.int32]) -> npt.NDArray[np.float64]:
-    """The acceleration is pi^2 times the distance from the axis, which is below 2.2."""
+    """Bound deviations: the acceleration is pi^2 times the distance from the axis, which is below 2.2."""
     return np.where(vertices >= 3, 2.2 * math.pi**2 * (end - start) ** 2 / 8, 0.0)
 
 
@@ -74,7 +74,7 @@ def test_options_of_a_question() -> None:
 
 
 def test_a_function_is_a_path() -> None:
-    """Would catch vertices or times that are handed over in another order."""
+    """Would catch vertices or times that are passed on in another order."""
     detector = tamis.Detector(tamis.Mesh(FACES))
     path = tamis.FunctionPath(6, positions_of_blade, deviations_of_blade)
     assert repr(path) == "FunctionPath(6 vertices)"
@@ -157,7 +157,7 @@ def test_a_line_as_a_bezier_curve(falling: tamis.Scene) -> None:
     first = detector.earliest(line)
     assert first.contact is not None and first.contact.vertices == (3, 0, 1, 2)
     assert first.toi_lower <= 0.5 <= first.toi_upper
-    # Down and up again, twice as deep at the control point as on the curve: touches where 1 - 4 t (1 - t) reaches 0.
+    # Down and up again. The control point is twice as deep as the curve, which touches where 1 - 4 t (1 - t) = 0.
     low = falling.start.copy()
     low[3, 2] = -3
     bounce = tamis.BezierPath(np.stack([falling.start, low, falling.start]))

@@ -23,14 +23,14 @@ def test_the_example_of_the_readme(detector: tamis.Detector, falling: tamis.Scen
     assert contacts.kind.tolist() == [tamis.PairKind.VERTEX_FACE]
     assert contacts.toi_lower[0] <= 0.5 <= contacts.toi_upper[0]
     assert contacts.u[0] == pytest.approx(0.25) and contacts.v[0] == pytest.approx(0.25)
-    assert contacts.normal[0, 2] == pytest.approx(1)  # from where it falls
+    assert contacts.normal[0, 2] == pytest.approx(1)  # up, where it falls from
     assert contacts.certified.tolist() == [True]
 
 
 @settings(max_examples=60)
 @given(arrays(np.float64, (6, 3), elements=COORDINATES), arrays(np.float64, (6, 3), elements=COORDINATES))
 def test_contacts_are_those_of_the_oracle(start: np.ndarray, end: np.ndarray) -> None:
-    """Would catch a pair lost, invented or named wrongly, and a bracket that does not hold the time."""
+    """Would catch a pair lost, invented or named wrongly, and a bracket that does not contain the time."""
     faces = [[0, 1, 2], [3, 4, 5]]
     try:
         expected = oracle.contacts(faces, start.tolist(), end.tolist())

@@ -1,4 +1,4 @@
-"""The examples run as a user runs them, and draw something."""
+"""The examples run as users run them, and draw a picture."""
 
 from __future__ import annotations
 

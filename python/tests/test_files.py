@@ -1,4 +1,4 @@
-"""Files and scenes of the command."""
+"""Mesh files, sequences of frames, and scenes."""
 
 from __future__ import annotations
 

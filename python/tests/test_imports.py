@@ -1,4 +1,4 @@
-"""The modules of the package are layers: none imports another in a circle, not even for its types."""
+"""The modules of the package are layers: they do not import each other in a circle, not even for types."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ PACKAGE = pathlib.Path(tamis.__file__).parent
 
 
 def _imports(path: pathlib.Path) -> set[str]:
-    """Every module of tamis that a file names in an import, wherever that stands."""
+    """Return every module of tamis that a file imports, anywhere in it."""
     found: set[str] = set()
     for node in ast.walk(ast.parse(path.read_text())):
         if isinstance(node, ast.ImportFrom) and node.module and node.module.partition(".")[0] == "tamis":
@@ -23,7 +23,7 @@ def _imports(path: pathlib.Path) -> set[str]:
 
 
 def test_no_circle() -> None:
-    """Bug: kinds of pairs, answers and looking at them needed each other."""
+    """Bug: the modules of kinds, answers and pages imported each other."""
     files = {
         ".".join(["tamis", *path.relative_to(PACKAGE).with_suffix("").parts]).removesuffix(".__init__"): path
         for path in PACKAGE.rglob("*.py")

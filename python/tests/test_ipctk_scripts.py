@@ -1,4 +1,4 @@
-"""What ipctk's tutorial and its example of a solver do, with Tamis in the place of its broad and narrow phase.
+"""ipctk's tutorial and its example of a solver, with Tamis in place of its broad and narrow phase.
 
 Barriers, collisions and friction are ipctk's own: its objects and Tamis's answers meet in one script.
 """
@@ -21,7 +21,7 @@ Numbers = npt.NDArray[np.float64]
 
 
 def _ball(radius: float, centre: list[float]) -> tuple[Numbers, npt.NDArray[np.int32]]:
-    """An octahedron whose triangles are parted in four, twice."""
+    """Return a ball: an octahedron whose triangles are twice divided into four."""
     points = np.concatenate([np.eye(3), -np.eye(3)])
     faces = np.array([[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [1, 0, 5], [3, 1, 5], [4, 3, 5], [0, 4, 5]])
     for _ in range(2):
@@ -36,13 +36,13 @@ def _ball(radius: float, centre: list[float]) -> tuple[Numbers, npt.NDArray[np.i
 
 @pytest.fixture(scope="module")
 def balls() -> tuple[Numbers, npt.NDArray[np.int32]]:
-    """Two of them, not far from each other."""
+    """Return two balls close to each other."""
     (a, faces), (b, _) = _ball(0.5, [0, 0, 0]), _ball(0.5, [1.1, 0.05, 0.02])
     return np.concatenate([a, b]), np.concatenate([faces, faces + len(a)])
 
 
 def _tutorial(library: Any, rest: Numbers, faces: npt.NDArray[np.int32]) -> dict[str, Any]:
-    """Push the balls together: may they, how far, and with a distance kept; then a point and a triangle."""
+    """Ask about a step that pushes the balls together, also with a minimum distance, and a point and a triangle."""
     mesh = library.CollisionMesh(rest, library.edges(faces), faces)
     pushed = mesh.rest_positions.copy()
     pushed[:, 0] += np.where(rest[:, 0] < 0.55, 0.1, -0.1)
@@ -68,12 +68,12 @@ def _tutorial(library: Any, rest: Numbers, faces: npt.NDArray[np.int32]) -> dict
 def test_the_tutorial_with_one_import_changed(balls: tuple[Numbers, npt.NDArray[np.int32]]) -> None:
     ours, theirs = (_tutorial(library, *balls) for library in (compat, ipctk))
     assert 0 < theirs["thick"] < theirs["safe"] < 1
-    for name, value in theirs.items():  # with a distance to keep ipctk's boxes make it stop too early
+    for name, value in theirs.items():  # with a minimum distance ipctk's boxes make it stop too early
         assert value - 2e-3 <= ours[name] <= value + (2e-2 if name == "thick" else 2e-3), name
 
 
 def _newton(balls: tuple[Numbers, npt.NDArray[np.int32]], search: Any) -> tuple[Numbers, float, int]:
-    """Pull each ball towards the other one, against a barrier: where they end, how far apart, after how many steps."""
+    """Pull the balls together against a barrier; return where they end, how far apart, and the number of steps."""
     rest, faces = balls
     reach, mesh = 0.02, ipctk.CollisionMesh(rest, ipctk.edges(faces), faces)
     target = rest + [0.1, 0, 0] * np.where(rest[:, :1] < 0.55, 1, -1)
@@ -127,7 +127,7 @@ def _by_tamis(mesh: Any) -> Any:
 
 
 def test_the_solver(balls: tuple[Numbers, npt.NDArray[np.int32]]) -> None:
-    """Both ways end in the same minimum."""
+    """Both solvers end in the same minimum."""
     ours, theirs = _newton(balls, _by_tamis), _newton(balls, _by_ipctk)
     assert np.abs(ours[0] - theirs[0]).max() < 1e-7
     assert ours[1] == pytest.approx(theirs[1], rel=1e-5) and 0 < ours[1] < 0.02

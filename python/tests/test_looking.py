@@ -1,4 +1,4 @@
-"""Contacts in a page, and in other files to look at."""
+"""Pages of contacts, and other files to look at."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ import tamis
 
 @pytest.fixture
 def opened(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """Addresses that a browser would have been asked for."""
+    """Collect the addresses that a browser would be asked to open."""
     addresses: list[str] = []
     monkeypatch.setattr("webbrowser.open", addresses.append)
     return addresses
 
 
 def scene_in(page: pathlib.Path) -> tuple[dict[str, Any], bytes]:
-    """Header and columns, as the page's script reads them."""
+    """Return the header and the columns of a page, as the page's script reads them."""
     text = re.search(r'<script[^>]*id="scene"[^>]*>([^<]*)<', page.read_text())
     assert text
     data = zlib.decompress(base64.b64decode(text[1]))
@@ -100,7 +100,7 @@ def test_other_files(falling: tamis.Scene, tmp_path: pathlib.Path, name: str, be
 def test_nothing_is_written_under_the_name_of_another_format(
     falling: tamis.Scene, tmp_path: pathlib.Path, name: str
 ) -> None:
-    """Would catch a table that a reader of JSON or NumPy's archives is handed."""
+    """Would catch a table that is written as JSON or as an archive of NumPy's."""
     contacts = tamis.Detector(falling.mesh).contacts(falling.start, falling.end)
     with pytest.raises(tamis.FileError, match=r"let the name end in \.csv, \.html, \.glb, \.vtp or \.vtu"):
         contacts.save(tmp_path / name)
@@ -116,7 +116,7 @@ def test_what_a_double_cannot_span_is_no_page(falling: tamis.Scene, tmp_path: pa
 
 
 def test_options_of_the_question_hold_for_the_page(falling: tamis.Scene, opened: list[str]) -> None:
-    """Would catch a page that is made without the filter, the separation or the groups of the question."""
+    """Would catch a page made without the filter, the separation or the groups of the question."""
     asked = []
 
     def accepts(kind: tamis.PairKind, vertices: tuple[int, int, int, int]) -> bool:
@@ -142,7 +142,7 @@ def test_positions_that_have_changed_are_refused(falling: tamis.Scene, tmp_path:
 
 
 def test_a_path_is_a_film_of_its_pieces(opened: list[str], tmp_path: pathlib.Path) -> None:
-    """A rod makes a full turn and meets two posts, at a quarter and at 0.7 of it."""
+    """Return the path of a rod that makes a full turn and meets two posts, at 0.25 and at 0.7 of it."""
     angle = 2 * np.pi * 0.7
     posts: list[list[float]] = [
         [x, y, z] for x, y in ((0, 1.5), (1.5 * np.cos(angle), 1.5 * np.sin(angle))) for z in (-1, 1)
@@ -205,7 +205,7 @@ def test_what_knows_no_step_says_so(falling: tamis.Scene, tmp_path: pathlib.Path
 
 
 def test_contacts_and_their_question_are_collected(falling: tamis.Scene) -> None:
-    """Would catch a cycle from a detector over its filter that Python's garbage collector does not see."""
+    """Would catch a cycle of a detector and its filter that Python's garbage collector does not see."""
 
     class Filter:
         detector: tamis.Detector

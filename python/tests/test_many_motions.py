@@ -1,4 +1,4 @@
-"""As a planner asks: the first contact for each of many motions."""
+"""The first contact for each of many motions, as a planner asks."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import tamis
 
 
 def test_many_motions_have_the_answers_that_they_have_alone(cube: tamis.Shape) -> None:
-    """Bug: bodies that another motion has moved, or an answer that goes with the wrong motion."""
+    """Would catch bodies that another motion has moved, or an answer at the wrong motion."""
     world = tamis.World(threads=2)
     world.add_many(cube, at((0, 0, 0), (4, 0, 0)))
     arm = world.add_many(cube, at((0, 5, 0), (4, 5, 0)))
@@ -19,7 +19,7 @@ def test_many_motions_have_the_answers_that_they_have_alone(cube: tamis.Shape) -
     end = start + rng.uniform(-1, 1, (40, 2, 2, 3)) + [[0, -2.5, 0], [0, 0, 0]]
     motions = tamis.interpolated(start.reshape(-1, 2, 3), end.reshape(-1, 2, 3)).reshape(40, 2, 1, 4, 3)
     found = world.earliest_many(arm, motions)
-    assert world.is_free()  # they stay as they were told
+    assert world.is_free()  # the bodies still have their own motions
     assert found.toi_lower.shape == found.toi_upper.shape == found.is_free.shape == (40,)
     assert 0 < found.is_free.sum() < 40
     assert len(found.contacts) == len(found.touching)
@@ -39,7 +39,9 @@ def test_many_motions_that_do_not_fit(cube: tamis.Shape) -> None:
     motions = np.broadcast_to(tamis.between(places, places), (3, 2, 2, 4, 3))
     assert world.earliest_many(bodies, motions).is_free.all()
     assert len(world.earliest_many(bodies, motions[:0]).toi_lower) == 0
-    assert not world.earliest_many(bodies, motions[:, :, :0]).is_free.any()  # no links: both where their shape is
+    assert not world.earliest_many(
+        bodies, motions[:, :, :0]
+    ).is_free.any()  # without links both are where their shape is
     with pytest.raises(tamis.InvalidPath, match=r"give \(n, 1, links, 4, 3\)"):
         world.earliest_many(bodies[:1], motions)
     with pytest.raises(tamis.InvalidOptions, match="body 1 is named twice: give each once"):

@@ -39,7 +39,7 @@ def _complaints(callee: Callee, receiver: Any, argument: Argument, right: dict[s
 
 @pytest.mark.parametrize("callee", CALLEES, ids=lambda callee: callee.name)
 def test_wrong_arguments_are_refused(callee: Callee, tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Bugs: the binding's own words, an attribute of nothing, a filter that nobody can call, taken without a word."""
+    """Bugs: errors in the binding's own words; an attribute of None; a filter that cannot be called, but was taken."""
     monkeypatch.setattr("webbrowser.open", lambda url: True)
     monkeypatch.chdir(tmp_path)
     found = []

@@ -1,4 +1,4 @@
-"""Meshes at rest: what is near, and what passes through what."""
+"""Meshes in one pose: near pairs and intersections."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def test_near_pairs_of_the_example(falling: tamis.Scene) -> None:
 
 
 def test_near_pairs_are_all_and_no_others() -> None:
-    """Against brute force over sampled points: no pair that has points nearer than the distance may be missing."""
+    """Against brute force over sampled points: no pair with points nearer than the distance may be missing."""
     scene = tamis.scene("soup", 30, seed=4)
     near = tamis.Detector(scene.mesh).pairs_within(scene.start, 0.2)
     found = {tuple(v) for v, kind in zip(near.vertices.tolist(), near.kind) if kind == tamis.PairKind.VERTEX_FACE}

@@ -1,4 +1,4 @@
-"""Every option reaches the library, and every bad one is refused with a sentence."""
+"""Every option reaches the library, and every bad option is refused with a sentence."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def test_a_filter_is_asked_about_each_pair(falling: tamis.Scene) -> None:
 
 
 def test_a_filter_that_raises(soup: tamis.Scene) -> None:
-    """The exception arrives as it was, from whatever thread, and the detector can be asked again."""
+    """The exception reaches the caller unchanged, from any thread, and the detector can be asked again."""
     calls = 0
 
     def accepts(kind: tamis.PairKind, vertices: tuple[int, int, int, int]) -> bool:
@@ -85,7 +85,7 @@ def test_a_filter_that_answers_neither_true_nor_false(falling: tamis.Scene, answ
 
 
 def test_a_filter_that_asks_its_own_detector(falling: tamis.Scene) -> None:
-    """It would wait for itself for ever."""
+    """Would catch a detector that waits for itself for ever."""
 
     def accepts(kind: tamis.PairKind, vertices: tuple[int, int, int, int]) -> bool:
         return bool(detector.contacts(falling.start, falling.end))
@@ -96,7 +96,7 @@ def test_a_filter_that_asks_its_own_detector(falling: tamis.Scene) -> None:
 
 
 def test_a_filter_that_refers_to_its_detector_is_collected(falling: tamis.Scene) -> None:
-    """Would catch a cycle through the compiled part that Python cannot see."""
+    """Would catch a cycle through the compiled part that Python's garbage collector does not see."""
 
     class Simulator:
         def __init__(self) -> None:

@@ -1,4 +1,4 @@
-"""Single pairs: until a latest time, how far apart they are, how long they keep it; and features by number."""
+"""Single pairs: the latest time of interest, distances, safe steps; and the features of pairs in a mesh."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_features_by_number(soup: tamis.Scene) -> None:
     assert np.array_equal(near.features(soup.mesh), soup.mesh.features_of(near.kind, near.vertices)) and len(near)
 
 
-# Bug: what the mesh does not have came back as -1, which is a row of every array.
+# Bug: for a feature that the mesh lacks, -1 was returned, which is a row of every array.
 @pytest.mark.parametrize(
     ("kind", "vertices", "says"),
     [
@@ -89,7 +89,7 @@ def test_features_of_another_mesh(falling: tamis.Scene, kind: tamis.PairKind, ve
 
 
 def test_edges_of_another_list() -> None:
-    """Bug: nothing led from ipctk's rows of edges to the mesh's, and data was taken from the wrong ones."""
+    """Bug: ipctk's rows of edges could not be found in the mesh, and data was taken from wrong rows."""
     mesh = tamis.scene("folded-cloth", 200).mesh
     theirs = ipctk.edges(mesh.faces)
     places = mesh.find_edges(theirs)

@@ -41,7 +41,7 @@ def test_decided_as_the_oracle_does(kind: tamis.PairKind) -> None:
 
 
 def test_each_pair_by_itself() -> None:
-    """Would catch rows that are mixed up, of kinds that follow each other in any order."""
+    """Would catch rows that are mixed up where kinds follow each other in any order."""
     random = np.random.default_rng(5)
     start, end = random.uniform(-1, 1, (2, 100, 3))
     kinds, vertices = random.integers(0, 4, 800), random.permuted(np.tile(np.arange(100), (800, 1)), axis=1)[:, :4]
@@ -101,7 +101,7 @@ def test_bad_pairs_are_named() -> None:
 
 
 def test_what_was_asked_is_the_answers_own() -> None:
-    """Bug: indices that a caller uses again changed what an answer says of its pairs."""
+    """Bug: an answer changed when the caller reused the array of its vertices."""
     kinds, vertices = np.ones(1, np.uint8), np.arange(4, dtype=np.int32)[np.newaxis]
     found = tamis.narrow_phase(kinds, vertices, np.eye(4, 3), -np.eye(4, 3))
     kinds[:], vertices[:] = 0, 0

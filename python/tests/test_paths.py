@@ -1,4 +1,4 @@
-"""Curved motion of single pairs: a rod that turns meets what a straight step would miss."""
+"""Curved motion of single pairs: a rod that turns meets a post that a straight step would miss."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ STILL = np.zeros((2, 3))
 
 
 def turning_rod() -> tamis.RigidPath:
-    """A rod along x turns by a right angle about z, through a post at 45 degrees, at half of the step."""
+    """Return the path of a rod along x that turns by 90 degrees about z, through a post at 45 degrees at t = 0.5."""
     rest = [[0, 0, 0], [2, 0, 0], [1, 1, -1], [1, 1, 1]]
     chain = tamis.turned(STILL, [0, 0, math.pi / 2], [0, 0, 0])
     return tamis.RigidPath(rest, [0, 0, 1, 1], [chain, np.empty((0, 4, 3))])

@@ -1,4 +1,4 @@
-"""Poses of rotations, and the chains that go from one to the other."""
+"""Poses made from rotations, and chains from one pose to another."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import tamis
 
 
 def test_poses_of_rotations() -> None:
-    """Bug: the order of a quaternion's parts, rows of a matrix for its columns."""
+    """Would catch a quaternion's parts in another order, or a transposed matrix."""
     half = np.sqrt(0.5)
     quarter = np.array([[half, 0, 0, half]])  # about z
     matrix = np.array([[[0, -1, 0], [1, 0, 0], [0, 0, 1]]])
@@ -30,7 +30,7 @@ def test_poses_of_rotations() -> None:
 
 
 def test_chains_of_many_poses() -> None:
-    """As many at once as one by one."""
+    """Many poses at once are the same as one by one."""
     random = np.random.default_rng(1)
     start, end = random.normal(size=(2, 5, 2, 3))
     for make in (tamis.between, tamis.interpolated):
@@ -47,7 +47,7 @@ def test_chains_of_many_poses() -> None:
 
 
 def test_pose_on_a_chain() -> None:
-    """As many at once as one by one; a slerp is at its poses at the ends."""
+    """Many chains at once are the same as one by one; `between` has the given poses at its ends."""
     start, end = np.random.default_rng(3).uniform(-1, 1, size=(2, 5, 2, 3))  # turned by less than pi
     chains = tamis.between(start, end, center=end[:, 1])
     halfway = tamis.pose_at(chains, 0.5)
@@ -65,7 +65,7 @@ def test_pose_on_a_chain() -> None:
 
 
 def test_chains_begin_and_end_at_their_poses() -> None:
-    """Bug: the rotation of the start was dropped, so that a turned body was asked about where it is not."""
+    """Bug: the rotation at the start was dropped, so that a turned body had another place."""
     random = np.random.default_rng(2)
     corners, center = random.normal(size=(4, 3)), random.normal(size=3)
     poses = random.normal(size=(2, 6, 2, 3))

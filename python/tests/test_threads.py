@@ -17,7 +17,7 @@ import pytest
 
 import tamis
 
-# Minutes of work, in questions of half a second or more, unless something ends it.
+# Questions of half a second or more, for minutes unless Ctrl-C ends them.
 LONG = """
 import signal, sys, time, tamis
 signal.signal(signal.SIGINT, signal.default_int_handler)  # also where the parent ignores it
@@ -34,7 +34,7 @@ except KeyboardInterrupt:
 
 
 def interrupted_after(code: str) -> float:
-    """Seconds from Ctrl-C to KeyboardInterrupt."""
+    """Return the seconds from Ctrl-C to KeyboardInterrupt."""
     with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "asking\n"
@@ -102,7 +102,7 @@ def test_an_is_cancelled_that_answers_neither_true_nor_false(answer: object) -> 
 
 
 def test_other_threads_run_during_a_question() -> None:
-    """Would catch a lock that is held: then no tick falls into the question."""
+    """Would catch a question that holds the interpreter's lock: then no tick falls into it."""
     scene = tamis.scene("soup", 3000)
     detector = tamis.Detector(scene.mesh, min_separation=0.15)
     done = threading.Event()
@@ -153,7 +153,7 @@ def test_a_detector_for_each_thread(soup: tamis.Scene) -> None:
 
 @pytest.mark.filterwarnings("ignore:.*multi-threaded.*fork:DeprecationWarning")
 def test_a_forked_child_can_ask(soup: tamis.Scene) -> None:
-    """The workers of the parent's pool are not in the child; the calling thread alone must get through."""
+    """The child lacks the threads of the parent's pool: the calling thread alone must answer."""
     detector = tamis.Detector(soup.mesh)
     expected = len(detector.contacts(soup.start, soup.end))
     context = multiprocessing.get_context("fork")

@@ -1,4 +1,4 @@
-"""Where a step may end, every vertex going as far as it may."""
+"""`truncate`: the positions at which a step may end."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The wheel needs nothing of the system, and says under which licences its libraries stand."""
+"""The wheel needs no libraries of the system, and names the licences of its own."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ def test_libraries_come_from_the_wheel() -> None:
     package = pathlib.Path(tamis.__file__).resolve().parent
     if not package.with_name("tamis.libs").is_dir():
         pytest.skip("tamis was not installed from a repaired wheel")
-    # In a process of its own: other packages, such as usd-core, bring a oneTBB too.
+    # In a process of its own: other packages, such as usd-core, have a oneTBB, too.
     show = "import tamis; tamis.Detector(tamis.Mesh([[0, 1, 2]])); print(open('/proc/self/maps').read())"
     maps = subprocess.run([sys.executable, "-c", show], check=True, capture_output=True, text=True).stdout
     loaded = set(re.findall(r"/\S+\.so[\w.-]*", maps))
     for library in ("libtbb", "libgmp"):
-        # usd-core, which tests of the audit import, brings its own.
+        # usd-core, which tests of the audit import, has one of its own.
         ours = [
             path for path in loaded if pathlib.Path(path).name.startswith(library) and "/usd_core.libs/" not in path
         ]
@@ -41,7 +41,7 @@ def test_licences_are_inside() -> None:
 
 
 def test_metadata_name_every_licence() -> None:
-    """Bug: a wheel that carries LGPL libraries said MIT, and no more."""
+    """Bug: a wheel that contains LGPL libraries named the MIT licence only."""
     metadata, files = importlib.metadata.metadata("tamis"), importlib.metadata.files("tamis") or []
     inside = {file.name for file in files if "/licenses/" in str(file)}
     assert set(metadata.get_all("License-File") or []) == inside
@@ -52,7 +52,7 @@ def test_metadata_name_every_licence() -> None:
 
 
 def test_the_command_comes_along(tmp_path: pathlib.Path) -> None:
-    """Would catch a command that is not there, not executable, without its libraries or its files."""
+    """Would catch a command that is missing, not executable, or without its libraries or files."""
     command = pathlib.Path(sys.executable).with_name("tamis")
     if not command.exists():
         pytest.skip("tamis was not installed into this environment")

@@ -1,4 +1,4 @@
-"""A world as an object: what is refused, a question at a time, its end; and its shapes."""
+"""A world and its shapes as objects: wrong arguments, one question at a time, their lifetime."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_misuse_is_refused(cube: tamis.Shape, ask: Any, sentence: str) -> None:
 
 
 def test_one_question_at_a_time_and_an_end_to_it(cube: tamis.Shape) -> None:
-    """A change during a question is refused; a question that is cancelled is as if it had not been."""
+    """A change during a question is refused; a cancelled question leaves the world as it was."""
     random = np.random.default_rng(2)
     stopping = threading.Event()
     refused: list[Exception] = []

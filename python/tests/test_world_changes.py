@@ -1,4 +1,4 @@
-"""Bodies that are added, moved, switched off and removed; and changes that are refused."""
+"""Changes of a world: bodies are added, moved, switched off and removed; and changes that are refused."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def test_removed_switched_off_and_kept_apart(cube: tamis.Shape) -> None:
 
 @pytest.mark.parametrize("bad", [-1, 4, 9])
 def test_one_that_is_not_there_leaves_all_as_they_were(cube: tamis.Shape, bad: int) -> None:
-    """Bug: those before it were removed, switched off or moved, and nobody could tell which."""
+    """Bug: the bodies named before a wrong one were removed, switched off or moved, though the call failed."""
     world = tamis.World()
     world.add_many(cube, at((0, 0, 0), (0, 10, 0)))
     world.add_many(cube, tamis.between(at((0, 0, 5), (0, 10, 5)), at((0, 0, 0), (0, 10, 0))))
@@ -79,7 +79,7 @@ def test_radii_and_steps_of_bodies_that_turn(cube: tamis.Shape) -> None:
 
 
 def test_thousands_in_one_call(cube: tamis.Shape) -> None:
-    """Bodies of a grid go up by less than is between them; then one row goes too far."""
+    """Bodies of a grid go up by less than the gap between them; then one row goes too far."""
     places = np.stack(np.meshgrid(*[np.arange(20) * 2.0] * 3), -1).reshape(-1, 3)
     still = tamis.pose_of(np.tile([1.0, 0, 0, 0], (8000, 1)), places)
     world = tamis.World()

@@ -1,4 +1,4 @@
-"""What a world answers: against a detector of one mesh, and its tables."""
+"""Answers of a world against those of a detector of one mesh; and its tables."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Array = npt.NDArray[np.float64]
 
 
 def _one_mesh(starts: Array, ends: Array) -> tuple[tamis.Detector, Array, Array]:
-    """Return a detector of all cubes as one mesh, and where its vertices are; cubes do not touch themselves."""
+    """Return a detector of all cubes as one mesh, and the positions at both ends; no cube may touch itself."""
     count = len(starts)
     faces = np.concatenate([CUBE_FACES + 8 * i for i in range(count)])
     groups = np.repeat(np.arange(count), 8)
@@ -26,7 +26,7 @@ def _one_mesh(starts: Array, ends: Array) -> tuple[tamis.Detector, Array, Array]
 
 
 def _named(contacts: tamis.BodyContacts) -> set[tuple[Any, ...]]:
-    """Contacts with the vertices of the mesh of all cubes."""
+    """Return a world's contacts with the vertices of the mesh of all cubes."""
     first = np.where(contacts.kind == tamis.PairKind.EDGE_EDGE, 2, 1)[:, np.newaxis] > np.arange(4)
     of_vertex = np.where(first, contacts.bodies[:, :1], contacts.bodies[:, 1:])
     vertices = contacts.vertices + 8 * of_vertex
@@ -34,7 +34,7 @@ def _named(contacts: tamis.BodyContacts) -> set[tuple[Any, ...]]:
 
 
 def test_the_contacts_of_a_detector(cube: tamis.Shape) -> None:
-    """Bugs: another body's vertices, a body left out, positions rounded in another way."""
+    """Would catch another body's vertices, a body left out, and positions that are rounded in another way."""
     random = np.random.default_rng(5)
     starts, ends = (at(*random.uniform(-2, 2, (12, 3))) for _ in range(2))
     world = tamis.World(threads=1)
@@ -44,7 +44,7 @@ def test_the_contacts_of_a_detector(cube: tamis.Shape) -> None:
     detector, start, end = _one_mesh(starts, ends)
     expected = detector.contacts(start, end)
     assert len(expected) > 100
-    alone = tamis.narrow_phase(expected.kind, expected.vertices, start, end)  # as the world decides: bit for bit
+    alone = tamis.narrow_phase(expected.kind, expected.vertices, start, end)  # a world's contacts have these bits
     rows = zip(expected.kind.tolist(), map(tuple, expected.vertices.tolist()), alone.toi_lower.tolist())
     assert _named(found) == {*rows} and len(found) == len(expected)
     assert found.certified.all()
@@ -81,7 +81,7 @@ def test_tables_have_the_bodies(cube: tamis.Shape) -> None:
 
 
 def test_features_are_those_of_both_meshes() -> None:
-    """A rod and a point fall on a plate, each with its own numbers."""
+    """A rod and a point fall on a plate; each body numbers its vertices from 0."""
     plate = tamis.Shape(
         tamis.Mesh([[4, 3, 2]], vertex_count=5), [[0, 0, 0], [0, 0, 0], [0, 2, 0], [2, 0, 0], [0, 0, 0]]
     )
@@ -130,7 +130,7 @@ def test_a_table_is_saved(cube: tamis.Shape, tmp_path: pathlib.Path) -> None:
 
 
 def test_turning_bodies_and_their_paths(cube: tamis.Shape) -> None:
-    """A cube turns in place beside a wall of another: only its corners reach that, as on a RigidPath."""
+    """A cube turns in place beside another: only its corners reach the other, as on a RigidPath."""
     chain = tamis.turned(at((0, 0, 0))[0], [0, 0, np.pi / 2], [0, 0, 0])
     world = tamis.World(min_separation=0.01)
     world.add(cube, chain)
@@ -152,7 +152,7 @@ def test_turning_bodies_and_their_paths(cube: tamis.Shape) -> None:
 
 
 def test_vertices_are_on_their_curves(cube: tamis.Shape) -> None:
-    """Bug: on the chord of a turn, or in the frame of the body."""
+    """Would catch points on the chord of a turn, or in the body's frame."""
     chain = tamis.turned(at((0, 0, 0))[0], [0, 0, np.pi / 2], [2, 0, 0])
     world = tamis.World()
     turning, still = world.add(cube, chain), world.add(cube, at((5, 0, 0))[0])
@@ -168,7 +168,7 @@ def test_vertices_are_on_their_curves(cube: tamis.Shape) -> None:
 
 
 def test_a_cloth_between_bodies() -> None:
-    """A deforming body falls on a static one: both ways of saying so agree; then it may touch itself."""
+    """A deforming body touches itself as a detector of its mesh says, unless it may not; and it meets a static body."""
     sheet = tamis.Shape(tamis.Mesh(FACES), START)
     world = tamis.World()
     falling = world.add(sheet, tamis.Deforming(START, END))

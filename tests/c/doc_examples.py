@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""doc_examples.py DOCUMENT LIBRARY INCLUDE COMPILER WORK: the document's C and Python blocks print what it says they do.
+"""doc_examples.py DOCUMENT LIBRARY INCLUDE COMPILER WORK: checks that C and Python blocks print the text behind them.
 
-The Python one has nothing but ctypes and the library.
+Python blocks need only ctypes and the library.
 """
 import os
 import pathlib

@@ -1,5 +1,5 @@
-"""check_headers.py INCLUDE EIGEN COMPILER...: taken.cpp compiles without a warning; each mistake of refused.cpp does not
-compile, and what the compiler shows has the sentence that says what to do."""
+"""check_headers.py INCLUDE EIGEN COMPILER...: checks that taken.cpp compiles without a warning, that each mistake of
+refused.cpp does not compile, and that the compiler's error has the sentence that says what to do."""
 import pathlib
 import re
 import shutil
@@ -19,7 +19,7 @@ def call(compiler, *words):
 
 
 def read_headers(compiler, folder):
-    """What refused.cpp includes is read once, not once a mistake."""
+    """Precompile the headers that refused.cpp includes, so that they are read once, not once a mistake."""
     headers = pathlib.Path(folder) / f"{pathlib.Path(compiler).name}.hpp"
     headers.write_text("\n".join(re.findall("#include.*", (here / "refused.cpp").read_text())))
     call(compiler, "-x", "c++-header", headers, "-o", f"{headers}.gch")

@@ -1,4 +1,4 @@
-"""Signals at any moment, and limits of the system: what is written is complete, old or absent."""
+"""Attacks by signals at any moment, and by limits of the system: output files must be complete, old or absent."""
 import resource
 import signal
 import time
@@ -39,7 +39,7 @@ def attack(folder, case, random):
     limit = {"size": resource.RLIMIT_FSIZE, "memory": resource.RLIMIT_AS, "files": resource.RLIMIT_NOFILE}[kind]
     outcome = folder.run(words, limits=[(limit, value << 20 if kind == "memory" else value)])
     if b"error while loading shared libraries" in outcome.err:
-        return None  # the system's words: the command did not begin
+        return None  # a message of the system: the command did not begin
     command.check(outcome)
     folder.require_nothing_unfinished(outcome)
     if outcome.code == 2 and option:
@@ -63,7 +63,7 @@ def attack_signal(folder, words, out, number, random):
         folder.require_nothing_unfinished(outcome)
     if complete is not None:
         content = out.read_bytes()
-        # Times differ from run to run, the number of rows does not.
+        # Times in the output differ from run to run, so numbers of rows are compared.
         outcome.require(content == b"old" or content.count(b"\n") == complete.count(b"\n"),
                         "the output is neither old nor complete")
     again = folder.run_and_check(words + (["--resume"] if "paper" in words else []))

@@ -1,6 +1,6 @@
-"""Files cut short at every length, and files in which some bytes are others."""
+"""Attacks by input files that are cut short at every length, or have some bytes changed."""
 MESHES = ["above.obj", "ascii1.ply", "little1.ply", "big1.ply"]
-QUERIES = ["asked/vertex-face/1.csv"]  # read by tamis-lab alone
+QUERIES = ["asked/vertex-face/1.csv"]  # only tamis-lab reads such files
 MUTATIONS = 400
 
 
@@ -16,7 +16,7 @@ def cases(world):
 
 
 def mutated(data, random):
-    """Bytes changed, removed, doubled or taken from elsewhere."""
+    """Return a copy with some bytes changed, removed, doubled or copied from elsewhere."""
     data = bytearray(data)
     for _ in range(random.choice([1, 1, 2, 5, 20])):
         at, other = random.randrange(len(data) + 1), random.randrange(len(data) + 1)
@@ -39,7 +39,7 @@ def attack(folder, case, random):
         verbs = [["info", name], ["contacts", name, other, "--out", "c.csv"], ["is-free", other, name], ["earliest", name, name],
                  ["sequence", other, name]]
     outcome = folder.run_and_check(random.choice(verbs_there(folder.world, verbs)) + random.choice([[], ["--json"]]))
-    # An ascii file that lacks its last digit or line end cannot be told from a whole one.
+    # An ASCII file without its last digit or line end cannot be told from a complete one.
     if cut is not None and name.endswith(".ply") and (name != "ascii1.ply" or cut < len(data) - 2):
         outcome.require(outcome.code == 2, f"{name} cut after {cut} bytes was taken")
     outcome.require(outcome.code != 2 or not (folder.path / "c.csv").exists(), "a file was written in spite of the error")

@@ -1,4 +1,4 @@
-"""Names of files and folders with all that a name may hold."""
+"""Attacks by names of files and folders with every kind of character."""
 import json
 import shutil
 
@@ -22,7 +22,7 @@ def attack(folder, case, random):
     shutil.rmtree(folder.path / "frames", ignore_errors=True)
     renamed = words[:1] + [rename(folder.path, word, name) for word in words[1:]]
     outcome = folder.run_and_check(renamed + json_flag)
-    # A label that is a name is the caller's choice; what a path holds is not.
+    # The name stands in paths only, so it must not change the answer.
     outcome.require(outcome.code == expected, f"exit code {expected} under another name")
     if json_flag:
         json.loads(outcome.out, object_pairs_hook=lambda pairs: require_unique(outcome, pairs))
@@ -35,7 +35,7 @@ def require_unique(outcome, pairs):
 
 
 def rename(here, word, name):
-    """Moves an input into a folder of that name; outputs go there too. Other words stay."""
+    """Move an input into a folder of that name, and return its new path; outputs get that name. Other words stay."""
     if word in ("frames", "laboratory"):
         return safe(name)
     label, sign, path = word.partition("=") if "=" in word else ("", "", word)
@@ -49,5 +49,5 @@ def rename(here, word, name):
 
 
 def safe(name):
-    """A dash at the beginning is an option's."""
+    """Return a name that the command does not take for an option."""
     return f"./{name}" if name.startswith("-") else name

@@ -1,9 +1,9 @@
-"""Options together, at the ends of their ranges, on coordinates at the ends of theirs: whatever is answered, the command
-ends as it should."""
+"""Attacks by combined options at the ends of their ranges, on coordinates at the ends of theirs: any answer is right,
+but the command must end as it should."""
 import re
 
 NUMBERS = ["0", "-0", "5e-324", "1e-300", "0.5", "0.999999999", "1", "3", "1e10", "1e300", "1.7976931348623157e308"]
-# A million runs or triangles take long; a thousand threads do not.
+# Small counts, as a million runs or triangles take long; but a thousand threads do not.
 COUNTS = ["0", "1", "2", "3", "7"]
 THREADS = COUNTS + ["64", "1024"]
 NAMES = ["tamis", "paper", "brute", "paper-sat", "paper-pfs", "best", "baseline", "avx2", "avx512",
@@ -14,7 +14,7 @@ COUNT = 300
 
 
 def cases(world):
-    """Each value of each option once, then options together."""
+    """Yield each value of each option once, then cases with random options together."""
     for verb in world.verbs:
         for option in plain_options(world, verb):
             yield from ((verb, [option.name, value]) for value in values_of(option))

@@ -1,4 +1,4 @@
-"""Outputs that are there already, that are links, that are inputs, that cannot be."""
+"""Attacks by outputs that exist already, are links, are inputs, or cannot be written."""
 import os
 import stat
 
@@ -49,7 +49,7 @@ def attack_input(folder, words, option, spelling, name):
 
 
 def prepare(out, place):
-    """Puts there what the place is called after."""
+    """Put at `out` what the name of the place says."""
     modes = {"private": 0o600, "public": 0o666, "executable": 0o755}
     if place in modes:
         out.write_text("old")

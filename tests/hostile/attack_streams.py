@@ -1,4 +1,4 @@
-"""stdin, stdout and stderr that are closed or full."""
+"""Attacks by stdin, stdout and stderr that are closed or full."""
 import itertools
 import os
 

@@ -1,4 +1,4 @@
-"""Values that no option should take, and words where none belongs."""
+"""Attacks by values that no option takes, and by words where none belongs."""
 EMPTY = ["", None]  # `--option ""`, and `--option=`
 NO_NUMBERS = ["nan", "-nan", "inf", "-inf", "-1", "1e999", "-1e-999x", "0x10", "1x", "x", " 1", "1 ", "1;1", "--", "[1]", "%s%n",
               "1\n", "9" * 400, "1_000", "1'000", "\udcff", "\x1b[2J", "--json"]

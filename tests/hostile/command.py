@@ -1,4 +1,4 @@
-"""Runs the command in a folder of its own, and checks what holds whatever it was asked."""
+"""Runs the command in a folder of its own, and checks promises that hold for every command line."""
 import contextlib
 import hashlib
 import json
@@ -15,7 +15,7 @@ CONTROL = re.compile(r"[\x00-\x09\x0b-\x1f\x7f-\x9f]")
 
 
 class Broken(Exception):
-    """A promise that does not hold."""
+    """A promise of docs/reliability.md is broken."""
 
 
 class Outcome:
@@ -43,7 +43,7 @@ def check_texts(outcome):
 
 
 def check(outcome):
-    """What holds for every command line whose streams are in order."""
+    """Check the promises that hold for every command line with open streams."""
     outcome.require(outcome.code in (0, 1, 2), "exit code is none of 0, 1, 2")
     check_texts(outcome)
     lines = outcome.err.decode().splitlines()
@@ -58,7 +58,7 @@ def check(outcome):
 
 
 class Folder:
-    """A copy of the inputs, where the command runs."""
+    """A folder with a copy of the inputs, in which the command runs."""
 
     def __init__(self, tamis, path):
         self.tamis, self.path = tamis, pathlib.Path(path)
@@ -92,7 +92,7 @@ class Folder:
         return outcome
 
     def interrupt(self, words, number, seconds):
-        """Sends the signal after so long, or when the command has ended."""
+        """Run the command, and send it a signal after some seconds, unless it has ended before."""
         process = self.start(words)
         time.sleep(seconds)
         with contextlib.suppress(ProcessLookupError):
@@ -109,5 +109,5 @@ class Folder:
         outcome.require(not self.unfinished(), f"left behind: {self.unfinished()}")
 
     def contents(self):
-        """A fingerprint of every file; the same before and after: nothing was touched."""
+        """Return a hash of every file: if it is the same before and after, no file was changed."""
         return {path: hashlib.sha256(path.read_bytes()).digest() for path in self.files() if path.is_file()}

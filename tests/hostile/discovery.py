@@ -1,17 +1,17 @@
-"""Verbs and options, read from the command's own help: a new one is attacked without being named here."""
+"""Reads verbs and options from the command's own help, so that new ones are attacked without being listed."""
 import dataclasses
 import re
 import subprocess
 
 ROW = re.compile(r"^  (?:-\w,)?(--[\w-]+|[A-Z_]+)(?: (\S.*?))?(?:  +.*)?$")
-# What cli/number_option.hpp shows ("N from 1 to 9", "S >= 0,..."), and what CLI11 shows of a bare number.
+# How the help shows numbers: by cli/number_option.hpp ("N from 1 to 9", "S >= 0,..."), or by CLI11 itself.
 NUMBER = re.compile(r"^([A-Z]\b|INT|UINT|FLOAT)")
 
 
 @dataclasses.dataclass
 class Option:
     name: str
-    takes: str  # as the help shows it: "N >= 0", "FILE.csv"; empty for a flag
+    takes: str  # its value as the help shows it: "N >= 0", "FILE.csv"; empty for a flag
 
     @property
     def is_flag(self):
@@ -45,7 +45,7 @@ def help_of(command, *words):
 
 
 def rows_of(text, title):
-    """The rows below `title:`, up to the next empty line."""
+    """Return name and value of each row below `title:`, up to the next empty line."""
     lines = text.split("\n")
     if f"{title}:" not in lines:
         return []

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Attacks the command: every verb, every option, streams, files, names, outputs, signals and limits.
+"""Attacks the command: every verb and option, with bad streams, files, names and outputs, signals and limits.
 
-A case is known by family:number and the seed: `--seed S --only family:number` repeats it. Exit code 1: a promise of
-docs/reliability.md was broken. Standard library only."""
+`--seed S --only FAMILY:NUMBER` repeats a case. Exit code 1: a promise of docs/reliability.md was broken. Needs only the
+standard library."""
 import argparse
 import concurrent.futures
 import os
@@ -30,7 +30,7 @@ SHORT = 110  # cases of each family in the short form
 
 
 class World:
-    """What every case starts from."""
+    """The command, its verbs, the template of its inputs, and the cases of each family."""
 
     def __init__(self, tamis, template, has_limits):
         self.tamis, self.template, self.has_limits = tamis, pathlib.Path(template), has_limits
@@ -43,7 +43,7 @@ class World:
 
 
 def require_baselines(world):
-    """A verb nobody knows how to ask would be attacked in vain."""
+    """Exit if the baseline of a verb is an error: attacks on that verb would test nothing."""
     for verb in world.verbs:
         with tempfile.TemporaryDirectory() as place:
             folder = new_folder(world, place)
@@ -66,7 +66,7 @@ def start_worker(*arguments):
 
 
 def attack(family, number, seed):
-    """What is broken; None if all is well."""
+    """Make one attack; return which promise is broken, or None."""
     world_cases = WORLD.cases[family]
     with tempfile.TemporaryDirectory() as place:
         try:
@@ -77,7 +77,7 @@ def attack(family, number, seed):
 
 
 def chosen(world, seed, only, is_long):
-    """(family, number) of the cases of one round, in an order of the seed's."""
+    """Return (family, number) of the cases of one round, in random order."""
     family, _, number = (only or "").partition(":")
     if number:
         return [(family, int(number))]
@@ -91,7 +91,7 @@ def chosen(world, seed, only, is_long):
 
 
 def run_round(pool, world, seed, only, is_long, deadline):
-    """Number of cases done, and of broken ones."""
+    """Make the attacks of one round until `deadline`; return the number of cases, and of broken promises."""
     todo = iter(chosen(world, seed, only, is_long))
     running, done, broken = {}, 0, 0
     while True:

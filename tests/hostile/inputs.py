@@ -1,4 +1,4 @@
-"""Small inputs, and for each verb a command line that works on them."""
+"""Small inputs, and a command line for each verb that works on them."""
 import json
 import struct
 
@@ -11,7 +11,7 @@ def obj(height):
 
 
 def ply(height, order):
-    """A triangle over a triangle, so that it has faces alone."""
+    """Return a PLY file with a triangle above a triangle: it has faces only."""
     points = TRIANGLE + [(0.2, 0.2, height), (0.4, 0.2, height), (0.2, 0.4, height)]
     name = {"": "ascii", "<": "binary_little_endian", ">": "binary_big_endian"}[order]
     text = (f"ply\nformat {name} 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty double z\n"
@@ -25,7 +25,7 @@ def ply(height, order):
 
 
 def queries():
-    """Two queries, one of which touches: the vertex falls through the face."""
+    """Return two queries; in the first the vertex falls through the face."""
     face = ["0,1,0,1,0,1", "1,1,0,1,0,1", "0,1,1,1,0,1"]
     rows = ["1,4,1,4,1,1", *face, "1,4,1,4,-1,1", *face]
     apart = ["1,4,1,4,1,1", *face, "1,4,1,4,1,2", *face]
@@ -33,7 +33,7 @@ def queries():
 
 
 def cloth(size, height):
-    """A sheet above a sheet, many contacts if it falls through."""
+    """Return a sheet above a sheet, which have many contacts if one falls through the other."""
     text, faces = "", ""
     for level in range(2):
         for i in range(size):
@@ -46,7 +46,7 @@ def cloth(size, height):
 
 
 def bodies(*frames):
-    """A triangle that falls, and what moves from file to file, if any; without files the triangle falls through one."""
+    """Return a scene with a falling triangle, and a body with these frames; without frames a triangle on the floor."""
     falling = {"points": [[0.1, 0.1, 0], [0.5, 0.1, 0], [0.1, 0.5, 0.5]], "faces": [[0, 1, 2]]}
     floor = {"points": TRIANGLE, "faces": [[0, 1, 2]]}
     poses = [{"position": [0, 0, 1 - 2 * i]} for i in range(2)]
@@ -65,13 +65,13 @@ def write_inputs(folder):
     for name, order in {"ascii": "", "little": "<", "big": ">"}.items():
         (folder / f"{name}1.ply").write_bytes(ply(1, order))
         (folder / f"{name}2.ply").write_bytes(ply(-2, order))
-    # Pictures take seconds, and are not what is attacked here.
+    # Pictures, which Python draws, take seconds and are not attacked.
     (folder / "bin").mkdir()
     (folder / "bin/python3").write_text("#!/bin/sh\nexit 0\n")
     (folder / "bin/python3").chmod(0o755)
 
 
-# What stands for a positional of this name; a verb that needs more has a line below.
+# Words for the positional arguments of these names; verbs that need other words are in BASELINES.
 POSITIONALS = {"START": ["above.obj"], "END": ["below.obj"], "MESH": ["above.obj"], "SCENE": ["scene.json"],
                "FRAMES": ["above.obj", "high.obj", "below.obj"], "FILES_OR_FOLDERS": ["asked"]}
 BASELINES = {
@@ -80,14 +80,14 @@ BASELINES = {
     "within": ["above.obj", "--distance", "2"],
     "bench": ["above.obj", "below.obj", "--cold", "1", "--warm-up", "0", "--repeat", "1"],
 }
-# What writing takes long enough to be interrupted.
+# Inputs whose answers take long enough to write that a signal can interrupt it.
 LARGE = {"SCENE": ["large.json"], "START": ["cloth1.obj"], "END": ["cloth2.obj"], "FRAMES": ["cloth1.obj", "cloth2.obj"]}
-# How the name of an output must end, where it tells the format.
+# The endings of outputs' names, for verbs that require one.
 SUFFIXES = {"view": ".html"}
 
 
 def positionals_of(verb, large=False):
-    """None for a positional that is not known."""
+    """Return words for the verb's positional arguments; None if one of them is unknown."""
     words = []
     for name in verb.positionals:
         known = (LARGE if large else {}).get(name) or POSITIONALS.get(name)
@@ -98,7 +98,7 @@ def positionals_of(verb, large=False):
 
 
 def baseline(verb, large=False):
-    """The verb and arguments that give an answer; None if nobody has said how to ask this verb."""
+    """Return the verb with arguments that give an answer; None if these are not known for this verb."""
     words = BASELINES.get(verb.name)
     if words is None or (large and verb.name == "bench"):
         found = positionals_of(verb, large)

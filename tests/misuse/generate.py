@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""generate.py HEADERS OUT: tests that try every argument and every option of the public C++ headers with what is wrong.
+"""generate.py HEADERS OUT: writes tests that try wrong values for every argument and option of the public C++ headers.
 
-Names and types come from the headers. What is right and wrong for a type stands in wrong_values.hpp: a function or an
-option with a type that is not there does not compile.
+Names and types come from the headers; right and wrong values for each type from wrong_values.hpp. A test with a type
+that wrong_values.hpp lacks does not compile.
 """
 import pathlib
 import re
 import sys
 
-# Whose functions check what they are given. A header that is in neither list fails.
+# Headers whose functions check their arguments, and the others, with the reason. A header in neither list fails.
 ASKED = ["detector.hpp", "mesh.hpp", "pair.hpp", "pair_distance.hpp", "path.hpp"]
 NOT_ASKED = {
     "components.hpp": "takes what is made", "contact.hpp": "answers", "error.hpp": "exceptions",
@@ -18,7 +18,7 @@ NOT_ASKED = {
     "tamis.hpp": "includes the others", "busy_guard.hpp": "takes what is made", "world.hpp": "asked by tests/world",
 }
 STRUCTS = ("Options", "PairFilter", "QueryOptions", "PairOptions")
-# Looking something up that is not there is no misuse: -1.
+# Functions that return -1 if they find nothing: no argument is wrong for them.
 LOOKS_UP = ("find_edge", "find_face")
 
 
@@ -27,7 +27,7 @@ def without_comments(path: pathlib.Path) -> str:
 
 
 def split(parameters: str) -> "list[str]":
-    """At commas outside of <> and {}."""
+    """Split at commas outside of <>, {} and ()."""
     parts, depth = [""], 0
     for letter in parameters:
         depth += (letter in "<{(") - (letter in ">})")
@@ -49,7 +49,7 @@ def is_output(parameter: str) -> bool:
 
 
 def functions(text: str) -> "list[tuple[str, list[str]]]":
-    """Declarations with parameters, without a body: what is asked of an object, or of nothing."""
+    """Return name and parameters of the functions and methods that are declared with parameters and without a body."""
     found = re.findall(r"^ *(?:explicit |(?:[\w:<>&]+(?: [\w:<>&]+)*? ))?(\w+)\(([^;{}]*(?:\{\}[^;{}]*)*)\)(?: const| &)?;", text,
                        re.MULTILINE)
     return [(name, split(listed)) for name, listed in found if listed.strip() and name not in LOOKS_UP]
@@ -89,7 +89,7 @@ def main() -> int:
         added = "".join(f'  add_field(found, "{field}", &{name}::{field});\n' for field in fields(name, text))
         written.append(f"inline std::vector<Wrong<{name}>> wrong_values(Type<{name}>) {{\n  std::vector<Wrong<{name}>> found;\n"
                        f"{added}  return found;\n}}\n")
-    # What holds others comes last.
+    # Options last, as it has a member of another of these structs.
     written.sort(key=lambda code: "Type<Options>" in code)
     for header in ASKED:
         written += [test(header, i, name, listed) for i, (name, listed) in enumerate(functions(texts[header]))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pictures of `tamis-lab paper`: Table 1, Fig. 4 and Fig. 5, from the CSV files in a folder."""
+"""plot_paper.py FOLDER: draws Table 1, Fig. 4 and Fig. 5 from the CSV files that `tamis-lab paper` writes to FOLDER."""
 import csv
 import io
 import pathlib
@@ -19,7 +19,7 @@ def read(path):
 
 
 def bars(rows, groups, names, value, title, unit, path, log=True):
-    """A group of bars for each scene and step, a bar for each name."""
+    """Draw a group of bars for each scene and step, with a bar of height value(rows, group, name) for each name."""
     figure, axes = pyplot.subplots(figsize=(12, 5))
     width = 0.85 / len(names)
     for i, name in enumerate(names):

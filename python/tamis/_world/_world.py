@@ -52,7 +52,7 @@ class World(Changes, Questions):
     >>> ground = world.add(triangle)
     >>> above, below = [[0.1, 0.1, 1], [0, 0, 0]], [[0.1, 0.1, -1], [0, 0, 0]]
     >>> falling = world.add(triangle, interpolated(above, below))
-    >>> world.earliest().toi_lower
+    >>> round(world.earliest().toi_lower, 9)
     0.5
     """
 

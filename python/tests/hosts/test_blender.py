@@ -1,4 +1,4 @@
-"""The add-on inside Blender: the module `bpy` from PyPI, and the program where it is installed (Debian's)."""
+"""The add-on inside Blender: in the module `bpy` from PyPI, and in the program if it is installed (Debian's)."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def seen_in(blender: str, session: str, zip_file: pathlib.Path, folder: pathlib.
         pytest.skip(f"{blender} is not installed: python/requirements-hosts.txt, or apt-get install blender")
     (folder / "scripts" / "addons").mkdir(parents=True)
     answer = folder / "answer.json"
-    # No network, and nothing of the user's: neither packages nor add-ons.
+    # Without the network, and without the user's packages and add-ons.
     environment = {**os.environ, "BLENDER_USER_SCRIPTS": str(folder / "scripts"), "BLENDER_USER_CONFIG": str(folder)}
     done = subprocess.run(
         [*command, SESSIONS / session, "--", zip_file, answer],
@@ -99,7 +99,7 @@ def test_one_mesh_alone_is_free(seen: Any) -> None:
 
 
 def test_a_curve_with_a_thickness_is_in_the_way(seen: Any) -> None:
-    """The bug: all that is no mesh object was left out without a word, and the sheet was proven free."""
+    """Bug: objects other than meshes were left out silently, and the sheet was proven free."""
     assert seen["wire"]["summary"].startswith("2 of 12 frames are bad, the first is 6")
     assert seen["wire"]["rows"][0][1].endswith("sheet and wire")
     assert seen["wire shown"] == ["FINISHED"]

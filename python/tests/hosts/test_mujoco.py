@@ -1,4 +1,4 @@
-"""The referee of MuJoCo: the motion between two states, and what it says of steps."""
+"""The referee of MuJoCo: the motion between two states, and the answers about steps."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ ARM = """
   </worldbody>
 </mujoco>"""
 
-# A flat bar turns about z past a thin post: half a turn a second, a hundred steps a turn's sixth.
+# A flat bar turns about z past a thin post.
 SWEEP = """
 <mujoco>
   <option gravity="0 0 0" timestep="0.05"><flag contact="disable"/></option>
@@ -50,7 +50,7 @@ SWEEP = """
 
 
 def test_the_path_is_where_mujoco_integrates_to_at_every_time() -> None:
-    """Bugs: joints composed the wrong way round; a slide forgotten; a ball's velocity taken in the world's frame."""
+    """Bugs: joints composed in the wrong order; a slide forgotten; a ball's velocity taken in the world's frame."""
     model, data = loaded(ARM)
     rng = np.random.default_rng(3)
     for _ in range(10):
@@ -79,7 +79,7 @@ def test_the_path_is_where_mujoco_integrates_to_at_every_time() -> None:
 
 
 def test_a_turning_bar_meets_a_post_between_two_states() -> None:
-    """Straight motion between both states would pass the post by."""
+    """Would catch straight motion between both states, which misses the post."""
     angle, radius = 0.5, 0.99
     model, data = loaded(SWEEP.format(x=radius * np.cos(angle), y=radius * np.sin(angle)))
     data.qvel[0] = 20  # one radian a step
@@ -99,7 +99,7 @@ def test_a_turning_bar_meets_a_post_between_two_states() -> None:
 
 @pytest.mark.parametrize("offset", [1e-6, 0.1])
 def test_a_post_out_of_reach_is_proven_free(offset: float) -> None:
-    """The bar's corner passes a millionth away, on its curve."""
+    """On its curve the bar's corner passes the post at a distance of a millionth."""
     reach = np.hypot(1, 0.01) + 0.002 + offset
     model, data = loaded(SWEEP.format(x=0, y=reach))
     data.qvel[0] = 30
@@ -192,7 +192,7 @@ RESTING = """
 
 
 def test_positions_set_by_hand_are_refused() -> None:
-    """Bug: a free body that was put behind a wall counted as one that had gone through it in one step."""
+    """Bug: a free body that was set behind a wall counted as having gone through it in one step."""
     model, data = loaded(RESTING)
     referee = tamis.mujoco.Referee(model, data)
     mujoco.mj_step(model, data)

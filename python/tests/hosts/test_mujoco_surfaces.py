@@ -63,7 +63,7 @@ def test_who_may_touch_is_as_the_model_says() -> None:
 
 
 def test_what_rests_on_a_plane_touches_it_once() -> None:
-    """Bug: the edges of a box that stood at the plane's origin lay on a diagonal of it, and touched it in each step."""
+    """Bug: a box at the plane's origin had edges exactly on a diagonal of the plane, and touched it in each step."""
     xml = """<mujoco><option><flag sleep='enable'/></option><worldbody><geom type='plane' size='5 5 .1'/>
       <body pos='0 0 .12'><freejoint/><geom type='box' size='.1 .1 .1'/></body></worldbody></mujoco>"""
     model, data = loaded(xml)

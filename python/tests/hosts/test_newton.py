@@ -1,4 +1,4 @@
-"""Tamis inside Newton's VBD solver: no step touches, nothing is dropped, and what does not fit is refused."""
+"""Tamis inside Newton's VBD solver: no step has a contact, no pair is dropped, and other solvers are refused."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ MARGIN, GAP = 0.02, 0.01
 
 
 def falling_cloths(layers: int = 3, floor: Any = None) -> Any:
-    """Sheets above each other, a little more than the margin apart, each faster than the one below; under them a floor.
+    """Return sheets above each other, a little more than the margin apart, each faster than the one below.
 
-    Of the floor the vertices are not simulated; it is the last that the model has.
+    `floor`: the corners of triangles under them, which are inactive and the last particles of the model.
     """
     builder = newton.ModelBuilder(gravity=(0.0, 0.0, -10.0))
     for layer in range(layers):
@@ -65,7 +65,7 @@ def solver_of(model: Any, **options: Any) -> Any:
 
 
 def run(solver: Any, steps: int) -> list[tuple[Any, Any]]:
-    """Return the floats that each step starts and ends with."""
+    """Return the positions at the start and at the end of each step."""
     state, following, ways = solver.model.state(), solver.model.state(), []
     for _ in range(steps):
         start = state.particle_q.numpy().copy()
@@ -80,7 +80,7 @@ def contacts_of(model: Any, ways: list[tuple[Any, Any]]) -> int:
     return sum(len(tamis.Detector(mesh).contacts(start, end)) for start, end in ways)
 
 
-# Bug: what Newton's buffers have no room for is dropped, and passes through.
+# Bug: pairs for which Newton's buffers have no room are dropped, and pass through each other.
 def test_no_step_touches_however_small_the_buffers_are() -> None:
     model = falling_cloths()
     small = {"particle_vertex_contact_buffer_size": 1, "particle_edge_contact_buffer_size": 1}
@@ -97,7 +97,7 @@ def test_no_step_touches_however_small_the_buffers_are() -> None:
 
 
 def lists_of(solver: Any) -> tuple[set[tuple[int, int]], set[tuple[int, int]]]:
-    """Return all pairs that contact forces are summed from."""
+    """Return all pairs from which contact forces are summed."""
     info = solver.trimesh_collision_info
     found = []
     for name in ("vertex_colliding_triangles", "edge_colliding_edges"):
@@ -108,7 +108,7 @@ def lists_of(solver: Any) -> tuple[set[tuple[int, int]], set[tuple[int, int]]]:
     return found[0], found[1]
 
 
-# Bug: another list than Newton's own would be, had it room: forces of neighbours, one direction of edges only.
+# Bug: lists that differ from Newton's own with enough room: with neighbours, or edges in one direction only.
 @pytest.mark.parametrize("rest_radius", [0.0, 0.036])
 def test_forces_see_the_pairs_that_newton_would_see(rest_radius: float) -> None:
     model = falling_cloths()
@@ -129,9 +129,8 @@ def test_pairs_of_one_ring_are_a_choice() -> None:
     model = falling_cloths(1)
     start = model.state().particle_q.numpy()
     end = start.copy()
-    end[0] = start[20] + np.array(
-        [0, 0, 0.01], np.float32
-    )  # over the square beside it, whose triangles an edge joins to it
+    # Over the next square, whose triangles an edge joins to vertex 0.
+    end[0] = start[20] + np.array([0, 0, 0.01], np.float32)
     end[0, 2] = -0.1
     crossing = start.copy()
     crossing[0] = start[11] * np.float32(0.5) + start[12] * np.float32(0.5) + np.array([0.01, 0.01, 0.05], np.float32)
@@ -154,7 +153,7 @@ def test_says_when_the_caller_moves_vertices_through_others() -> None:
     assert attachment.report.moved_into_contact == 1
 
 
-# Bug: the pieces of such a floor touch each other at the start of every step.
+# Bug: the triangles of such a floor touch each other at the start of every step.
 @pytest.mark.filterwarnings("error")
 def test_what_no_step_moves_meets_all_but_itself() -> None:
     corner, x, y = np.array([-0.1, -0.1, -0.005]), np.array([0.6, 0, 0]), np.array([0, 0.6, 0])
@@ -166,7 +165,7 @@ def test_what_no_step_moves_meets_all_but_itself() -> None:
     moved = [(start != end).any(axis=1) for start, end in ways]
     mesh = tamis.Mesh(model.tri_indices.numpy().reshape(-1, 3), vertex_count=model.particle_count)
     touching = [tamis.Detector(mesh).contacts(*way).vertices for way in ways]
-    assert all(len(pairs) > 0 for pairs in touching)  # of the floor
+    assert all(len(pairs) > 0 for pairs in touching)  # pairs of the floor with itself
     assert not any(moves[pairs].any() for moves, pairs in zip(moved, touching))
     heights = ways[-1][1][:-6, 2]
     assert heights.min() > -0.005 and attachment.report.shortened > 0
@@ -202,7 +201,7 @@ def test_refuses_what_it_does_not_know(monkeypatch: pytest.MonkeyPatch) -> None:
         tamis.newton.attach(solver_of(model))
 
 
-# Bug: the module knows other versions than those that pip is told to take.
+# Bug: the module supports other versions than those that pip installs.
 @pytest.mark.skipif("TAMIS_LONG" not in os.environ, reason="compiles its kernels for 20 s: for the night, TAMIS_LONG")
 def test_a_recording_of_its_viewer_can_be_audited(tmp_path: pathlib.Path) -> None:
     model, file = falling_cloths(layers=2), tmp_path / "sheets.usda"

@@ -1,1 +1,1 @@
-"""Calls of every public function with arguments that are wrong in type, size or meaning, made from the signatures."""
+"""Generates, from the signatures, calls of every public function with arguments of wrong type, size or meaning."""

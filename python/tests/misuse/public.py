@@ -1,4 +1,4 @@
-"""What the module offers, read from the module itself: nothing here is a list of names."""
+"""Finds the public functions of the module, and the kinds of their arguments, in the module itself."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ import tamis.compat.ipctk
 
 @dataclass(frozen=True)
 class Argument:
-    """A parameter, and the kinds of things that its annotation takes."""
+    """A parameter, and the kinds of values that its annotation allows."""
 
     name: str
     takes: tuple[str, ...]
@@ -27,7 +27,7 @@ class Argument:
 
 @dataclass(frozen=True)
 class Callee:
-    """A function, a class, a method or the setter of a property; of the last two, also whose they are."""
+    """A function, a class, a method or the setter of a property; `of` is the class of the last two."""
 
     name: str
     function: Callable[..., Any]
@@ -80,7 +80,7 @@ def _arguments(function: Callable[..., Any]) -> tuple[Argument, ...]:
 
 
 def _is_record(thing: type) -> bool:
-    """Answers that are only read, and exceptions: whoever makes one puts in what he likes."""
+    """Return whether a class is an answer that is only read, or an exception: their arguments are not checked."""
     return issubclass(thing, (tuple, BaseException)) or thing in (tamis.Statistics, tamis.AuditReport, tamis.Motion)
 
 
@@ -109,7 +109,7 @@ def _of_module(module: ModuleType, prefix: str) -> Iterator[Callee]:
 
 
 def callees() -> list[Callee]:
-    """Return whatever users may call with arguments."""
+    """Return everything that users may call with arguments."""
     found = [*_of_module(tamis, ""), *_of_module(tamis.compat.ipctk, "ipctk.")]
     if importlib.util.find_spec("ipctk"):  # which has no wheel for some Pythons
         found += _of_module(importlib.import_module("tamis.bridge.ipctk"), "bridge.")

@@ -1,4 +1,4 @@
-"""A right value for every argument, by name: what a wrong one is put beside. A name that is not here fails the test."""
+"""Right values for all arguments, by name, for calls with one wrong argument. A name that is missing fails the test."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ def _gltf() -> str:
 
 
 def _objects() -> list[Any]:
-    """Return an object of each class that has methods."""
+    """Return an object of each class that has methods, by the class."""
     detector = tamis.Detector(_MESH, threads=1)
     report = tamis.audit(np.stack([START, END]), faces=FACES)
     pairs = tamis.narrow_phase(tamis.PairKind.VERTEX_FACE, [3, 0, 1, 2], START, END)
@@ -121,12 +121,12 @@ def _objects() -> list[Any]:
 
 
 def receiver_of(callee: Callee) -> Any:
-    """Return a new object to call it on; None if it is no method."""
+    """Return a new object to call the method on; None if the callee is no method."""
     return next(thing for thing in _objects() if isinstance(thing, callee.of)) if callee.of else None
 
 
 def use(thing: Any) -> None:
-    """Ask what keeps its arguments for later, functions above all, something that needs them."""
+    """Use an object that keeps its arguments, functions above all, so that it needs them."""
     if isinstance(thing, tamis.Detector):
         thing.contacts(START, END)
     elif isinstance(thing, tamis.World):
@@ -145,7 +145,7 @@ def use(thing: Any) -> None:
 
 
 def _of_callee(callee: Callee, folder: pathlib.Path) -> dict[str, Any]:
-    """Return what these arguments are in this call alone."""
+    """Return the arguments whose right values differ in this call."""
     short = callee.name.rpartition(".")[2]
     if short in ("interpolated", "turned", "between", "nlerp_deviation"):
         return {"start": _POSE, "end": _POSE}
@@ -181,7 +181,7 @@ def _needed(callee: Callee, argument: Argument) -> bool:
 
 
 def right_calls(callee: Callee, folder: pathlib.Path) -> list[dict[str, Any]]:
-    """Return arguments with which the call works: as few as it takes; and where a path may come, those with a path."""
+    """Return arguments with which the call works: as few as possible; if it takes paths, also those with a path."""
     known = {**_NAMED, **_of_callee(callee, folder)}
     if "_ccd" in callee.name:
         known.update({a.name: START[i % 4] for i, a in enumerate(callee.arguments) if a.takes == ("array",)})

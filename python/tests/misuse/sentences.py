@@ -1,4 +1,4 @@
-"""Whether a refusal is a sentence of Tamis: it says which argument is wrong, and what to give."""
+"""Checks that an error has a sentence of Tamis, which says which argument is wrong, and what to give."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _RAW = re.compile(
     r"incompatible function|nanobind|_core|std::|max_size|bad_alloc|has no attribute|truth value|not subscriptable|"
     r"unhashable|object is not|unsupported operand|could not be broadcast|cannot reshape|<[\w.]+ object at"
 )
-# What sentences of the library say, which knows no names of Python's.
+# The words of the library's sentences for Python's arguments, whose names it does not know.
 _WORDS = {
     "min_separation": ["minimum separation"],
     "min_distance": ["minimum separation"],
@@ -28,9 +28,9 @@ _ADVICE = re.compile(r"[:;,] \w")
 
 
 def complaint(error: Exception, argument: str, is_type_wrong: bool) -> str:
-    """Say what is wrong with how a call was refused; "" if nothing is."""
+    """Return what is wrong with the error of a call; "" if nothing is."""
     text = str(error)
-    if isinstance(error, RuntimeError) and text.endswith("today"):  # of what was given: it arrives as it was
+    if isinstance(error, RuntimeError) and text.endswith("today"):  # raised by the argument itself: passed on as it is
         return ""
     if not isinstance(error, tamis.Error) and not (type(error) is IndexError and argument == "index"):
         return f"{type(error).__name__} instead of a documented one: {text[:200]}"

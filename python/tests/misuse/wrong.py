@@ -1,4 +1,4 @@
-"""What is given in place of a right value: whatever a script may hold in a variable of the wrong name."""
+"""Wrong values for arguments: whatever a script may hold in a variable of the wrong name."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from misuse.public import Argument
 
 
 class _Unwilling:
-    """Promises everything and keeps nothing."""
+    """Raises whenever it is converted: to an array, a number, a name of a file, a text."""
 
     def __array__(self, *given: Any, **named: Any) -> Any:
         raise RuntimeError("no array today")
@@ -35,13 +35,13 @@ class _Unwilling:
 
 _MESH = tamis.Mesh(FACES)
 
-# Of no kind that any argument takes, but for those named.
+# Values, with the kinds of arguments that may take them; for all other arguments they are wrong.
 THINGS: dict[str, tuple[str, ...]] = {}
 POOL: dict[str, Any] = {}
 
 
 def _thing(name: str, value: Any, *suits: str) -> None:
-    """Add a value; kinds of arguments that may take it are named."""
+    """Add a value; `suits`: the kinds of arguments that may take it."""
     POOL[name], THINGS[name] = value, suits
 
 
@@ -96,7 +96,7 @@ _ANSWERS = ("None", "'a'", "[]", "nan", "an object", "an unwilling one", "2**70"
 
 
 def _spoilt(right: np.ndarray[Any, Any]) -> Iterator[tuple[str, Any, bool]]:
-    """Yield the right array with one thing wrong with it."""
+    """Yield copies of the right array with one thing wrong."""
     yield "one row less", right[:-1], False
     yield "one dimension more", np.asarray(right)[np.newaxis, np.newaxis, np.newaxis], True
     yield "one column more", np.concatenate([right, right[..., :1]], -1), False
@@ -120,7 +120,7 @@ def _with(right: np.ndarray[Any, Any], value: Any) -> np.ndarray[Any, Any]:
 
 
 def wrong_values(argument: Argument, right: Any) -> Iterator[tuple[str, Any, bool]]:
-    """Yield what it is called, the value, and whether nobody can mean it: whether it must be refused."""
+    """Yield name, value, and whether the value can have no meaning here, so that it must be refused."""
     for name, value in POOL.items():
         yield name, value, not set(THINGS[name]) & set(argument.takes)
     if isinstance(right, np.ndarray) and "array" in argument.takes:

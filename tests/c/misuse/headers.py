@@ -1,4 +1,4 @@
-"""Structs and prototypes of the C interface, as its headers declare them."""
+"""Reads the structs and prototypes of the C interface from its headers."""
 import ctypes
 import pathlib
 import re
@@ -11,7 +11,7 @@ NUMBERS = {"int": ctypes.c_int, "int32_t": ctypes.c_int32, "uint8_t": ctypes.c_u
 
 @dataclass(frozen=True)
 class Parameter:
-    """Of a function; or a field of a struct, whose comment may speak of NULL."""
+    """A parameter of a function, or a field of a struct; `speaks_of_null`: the field's comment mentions NULL."""
     name: str
     type: str
     speaks_of_null: bool
@@ -32,7 +32,7 @@ class Function:
 class Interface:
     functions: "list[Function]"
     structs: "dict[str, list[Parameter]]"
-    types: "dict[str, type]"  # of ctypes
+    types: "dict[str, type]"  # the structs for ctypes
 
 
 def _parameter(text: str, comment: str) -> Parameter:
@@ -43,7 +43,7 @@ def _parameter(text: str, comment: str) -> Parameter:
 
 
 def _fields(body: str) -> "list[Parameter]":
-    """Commas between names of one type make several; a comment stands above a field, or behind it."""
+    """Return the fields of a struct. A comment belongs to the field below it, or before it on the line."""
     found, above = [], ""
     for comment, field, behind in re.findall(r"(/\*\*.*?\*/)|([^;/]+);[ \t]*(/\*\*<.*?\*/)?", body, re.DOTALL):
         if comment:

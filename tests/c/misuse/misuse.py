@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""misuse.py LIBRARY HEADERS: every argument and field that the headers declare is tried with what is wrong.
+"""misuse.py LIBRARY HEADERS: tries wrong values for every argument and field that the headers declare.
 
-Each call must return a code and, where a handle can hold it, a sentence of Tamis that says what to give; what nobody
-can mean must be refused. The calls are made in a process of their own, so that a crash can be named.
+Each call must return a code and, if a handle can hold it, a sentence of Tamis that says what to give. Values that can
+have no meaning must be refused. The calls are made in a process of their own, so that a crash can be reported.
 """
 import ctypes
 import os
@@ -17,7 +17,7 @@ import right
 import wrong
 
 _RAW = re.compile(r"std::|vector(?!s\b)|max_size|bad_alloc|basic_string|optional|bad function|Unknown|unknown")
-LAST = "TAMIS_LAST_CALL"  # names the file that says what is being asked
+LAST = "TAMIS_LAST_CALL"  # the variable with the name of the file that describes the present call
 OPTIONAL = ("options", "fractions", "center", "error")
 
 
@@ -28,7 +28,7 @@ class Session:
         self.last = open(os.environ[LAST], "w")
 
     def call(self, function: headers.Function, arguments: dict):
-        """The status, and what the handle says; None where there is none."""
+        """Return the status, and the message of the handle; None if there is no handle."""
         native, given = getattr(self.library, function.name), []
         for parameter in function.parameters:
             value = arguments[parameter.name]
@@ -52,13 +52,13 @@ class Session:
         return None
 
     def handles(self) -> dict:
-        """New ones, from right arguments."""
+        """Return new handles, made from right arguments."""
         made = {}
         for kind, function in (("tamis_mesh", "tamis_mesh_create"), ("tamis_detector", "tamis_detector_create"),
                                ("tamis_pairs", "tamis_pairs_create"), ("tamis_path", "tamis_bezier_path_create"),
                                ("tamis_shape", "tamis_shape_create"), ("tamis_world", "tamis_world_create")):
             made[kind] = self._made(self._function(function), made)
-        for _ in range(2):  # bodies to speak about
+        for _ in range(2):  # bodies 0 and 1, which arguments name
             self._made(self._function("tamis_world_add"), made)
         return made
 
@@ -138,7 +138,7 @@ def make_calls() -> int:
     for function in session.interface.functions:
         if function.returns == "tamis_status":
             session.function(function)
-        else:  # what is made, named and freed of nothing
+        else:  # functions that make, describe or free must accept NULL
             getattr(session.library, function.name)(*(None for _ in function.parameters))
     print("\n".join(session.complaints))
     print(f"{session.calls} calls, {len(session.complaints)} complaints")

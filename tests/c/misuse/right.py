@@ -1,11 +1,11 @@
-"""A right value for every argument and every field, by name. A name that is not here fails the test."""
+"""Right values for all arguments and fields, by name. A name that is missing fails the test."""
 import ctypes
 
 import headers
 
 FACES, START = (0, 1, 2, 3, 4, 5), (0, 0, 0, 1, 0, 0, 0, 1, 0, .25, .25, 1, 1, .5, 2, .5, 1, 2)
 END = (*START[:11], -1, *START[12:])
-ROOM = 4096  # bytes for whatever is written
+ROOM = 4096  # bytes for any output
 
 POINTS_AT = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.POINTER(ctypes.c_int32), ctypes.c_size_t,
                              ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_double))
@@ -38,11 +38,11 @@ def indices(*values):
 
 
 def pair(name, vertex_count):
-    """So many corners of the falling triangle and the one below, for calls that take pairs by their points."""
+    """Return the points of a pair: the corner that falls, then corners of the triangle below, `vertex_count` in all."""
     return doubles(*[number for corner in (3, 0, 1, 2)[:vertex_count] for number in START[3 * corner:3 * corner + 3]])
 
 
-# Of all structs, then of one.
+# The fields of all structs.
 FIELDS = {
     "vertex_count": 6, "start": doubles(*START), "end": doubles(*END), "start_stride": 0, "end_stride": 0,
     "faces": indices(*FACES), "face_count": 2, "loose_edges": indices(0, 3), "loose_edge_count": 1,
@@ -55,7 +55,7 @@ FIELDS = {
     "frame_count": 2, "frames": doubles(*START, *END), "points_at": _still, "deviations": _no_deviation, "tolerance": 0.0,
     "position": (0., 0., 0.), "rotation": (0., 0., 1.), "count": 1, "poses": doubles(0, 0, 9, 0, 0, 1), "links_of_each": 0,
 }
-# Where one thing is given in place of others.
+# Fields of one struct that differ: a motion is given in one of several ways.
 LEFT_OUT = {"tamis_motions": {"start": None, "end": None, "vertex_count": 0}}
 INPUTS = ("tamis_step", "tamis_mesh_input", "tamis_options", "tamis_pair_options", "tamis_rigid_path_input",
           "tamis_spline_path_input", "tamis_path_functions", "tamis_path_options", "tamis_pair", "tamis_pose",
@@ -70,7 +70,7 @@ _CORNERS = {"vertex_face": 4, "edge_edge": 4, "vertex_edge": 3, "vertex_vertex":
 
 
 def struct(interface: headers.Interface, name: str, **changed) -> ctypes.Structure:
-    """With right values but for those; NULL for what is needed by none of the calls here."""
+    """Return a struct with right values, except for the fields in `changed`."""
     made = interface.types[name]()
     keep = made.kept = []
     for field in interface.structs[name]:
@@ -83,7 +83,7 @@ def struct(interface: headers.Interface, name: str, **changed) -> ctypes.Structu
 
 
 def put(made: ctypes.Structure, field: headers.Parameter, value, keep: list) -> None:
-    """Writes a field; what it points to lives as long as the struct."""
+    """Write a field; `keep` holds the object that it points to, as long as the struct lives."""
     if field.type == "const double*" and isinstance(value, float):
         value = doubles(value)
     if field.is_pointer and value is not None:
@@ -96,7 +96,7 @@ def put(made: ctypes.Structure, field: headers.Parameter, value, keep: list) -> 
 
 
 def argument(interface: headers.Interface, function: headers.Function, parameter: headers.Parameter, handles: dict):
-    """A right value for one argument of this function."""
+    """Return a right value for one argument of this function."""
     kind = parameter.type.replace("const ", "").rstrip("*")
     if parameter.type.endswith("**"):
         return ctypes.c_void_p()

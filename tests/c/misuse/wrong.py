@@ -1,4 +1,4 @@
-"""What is given in place of a right value, by its type: no array, a count that no array has, a number that is none."""
+"""Wrong values for arguments and fields, by type: NULL, counts that no array has, numbers out of range."""
 import ctypes
 import math
 import re
@@ -14,15 +14,15 @@ _NUMBERS = {
     "double": (math.nan, math.inf, -math.inf, -1.0, 1.5, 1e308, 5e-324),
     "const char*": (b"", b"nonsense", b"x" * 10000, b"\xff\xfe"),
 }
-# A question at rest reads the start alone of a step.
+# Questions about a pose read only the start of a step.
 AT_REST, NOT_AT_REST = re.compile("_(pairs_within|intersections?|distances_of)$"), ("end", "end_stride", "min_separation", "at_start")
-# So many rows are read as the caller says: no one can refuse a number that an array might have.
+# The library reads as many rows as the caller says: it cannot refuse a count that an array may have.
 _TAKEN_AT_ITS_WORD = ("vertex_count", "group_count")
 _NEVER_RIGHT = (math.nan, math.inf, -math.inf, -1.0, -1, -2**31)
 
 
 def _spoilt(value):
-    """The same array with one number changed, and whether nobody can mean it."""
+    """Yield a name, the array with one number changed, and whether it must be refused."""
     is_double = value._type_ is ctypes.c_double
     for number in (math.nan, math.inf, -math.inf) if is_double else (-1, 2**31 - 1, 10**6, -2**31):
         changed = type(value)(*value)
@@ -31,7 +31,7 @@ def _spoilt(value):
 
 
 def wrong_values(parameter: headers.Parameter, value):
-    """Yields a name, a value, and whether it must be refused."""
+    """Yield a name, a value, and whether it must be refused."""
     if parameter.is_pointer:
         yield "NULL", None, not parameter.speaks_of_null and parameter.name != "user"
     if isinstance(value, ctypes.Array) and value._type_ in (ctypes.c_double, ctypes.c_int32):

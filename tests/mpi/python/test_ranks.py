@@ -1,4 +1,4 @@
-"""`tamis.distributed` on every rank at once: all run the same tests in the same order (under mpirun)."""
+"""`tamis.distributed` under mpirun: all ranks run the same tests in the same order."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 
 
 class Part:
-    """What this rank gives of a scene: triangles by turns, so that nearly all vertices are shared."""
+    """The part of a scene that this rank gives: triangles in turns, so that ranks share nearly all vertices."""
 
     def __init__(self, scene: tamis.Scene) -> None:
         self.faces = scene.mesh.faces[RANK::SIZE]
         self.edges = scene.mesh.loose_edges[RANK::SIZE]
         self.points = scene.mesh.loose_points[RANK::SIZE]
         used = np.concatenate([self.faces.ravel(), self.edges.ravel(), self.points])
-        self.vertices = np.unique(used)[::-1]  # rows are the caller's
+        self.vertices = np.unique(used)[::-1]  # descending: the order of rows is the caller's
         self.start, self.end = scene.start[self.vertices], scene.end[self.vertices]
         self.groups = scene.groups[self.vertices]
 
@@ -53,7 +53,7 @@ def cloth() -> Part:
 
 
 def raised_on_all(kind: type[Exception], ask: Callable[[], object]) -> str:
-    """Return the sentence, which is the same on every rank."""
+    """Expect an error on all ranks; return its sentence, which must be the same on every rank."""
     with pytest.raises(tamis.Error) as caught:
         ask()
     assert type(caught.value) is kind
@@ -243,7 +243,7 @@ def test_a_number_may_be_of_any_type(cloth: Part) -> None:
 
 
 def waiting(kind: tamis.PairKind, vertices: tuple[int, int, int, int]) -> bool:
-    """Make the last rank's search take longer than the pause between two looks at what was raised."""
+    """Accept every pair, but make the last rank's search longer than the pause between two calls of is_cancelled."""
     time.sleep(0.001 * IS_LAST)
     return True
 
@@ -282,7 +282,7 @@ def test_results_do_not_change_and_detectors_come_and_go(cloth: Part) -> None:
 
 
 class Collecting:
-    """A key of mpi4py's locks: it is looked up by a thread that has locked the table of them."""
+    """A key for mpi4py's table of locks that collects garbage when it is hashed: while the table is locked."""
 
     def __hash__(self) -> int:
         gc.collect()
@@ -290,12 +290,12 @@ class Collecting:
 
 
 def test_memory_is_collected_inside_a_call_of_mpi4py(cloth: Part, capfd: pytest.CaptureFixture[str]) -> None:
-    """Bug: the communicator was freed there and then, which waited for ever for what its own thread had locked."""
+    """Bug: the communicator was freed at once, and so waited for ever for a lock that its own thread held."""
     cycle: list[Any] = [cloth.detector()]
     cycle.append(cycle)
     gone = weakref.ref(cycle[0])
     del cycle
-    with capfd.disabled():  # who waits is seen
+    with capfd.disabled():  # shows the traceback of a thread that waits
         faulthandler.dump_traceback_later(30, exit=True)
         MPI._comm_lock(COMM, Collecting())
         faulthandler.cancel_dump_traceback_later()
@@ -303,7 +303,7 @@ def test_memory_is_collected_inside_a_call_of_mpi4py(cloth: Part, capfd: pytest.
 
 
 class Counted(MPI.Intracomm):
-    """So are its duplicates."""
+    """A communicator that counts how many of its class, duplicates included, are freed."""
 
     freed = 0
 
@@ -313,7 +313,7 @@ class Counted(MPI.Intracomm):
 
 
 def test_communicators_are_freed_when_all_their_ranks_have_left_them(cloth: Part) -> None:
-    """Would catch a rank that frees, which is collective, what another still asks, or in another order than that."""
+    """Would catch a rank that frees (a collective call) what another rank still uses, or frees in another order."""
 
     def make(comm: MPI.Intracomm) -> distributed.Detector:
         return distributed.Detector(comm, cloth.faces, cloth.vertices)
@@ -330,7 +330,7 @@ def test_communicators_are_freed_when_all_their_ranks_have_left_them(cloth: Part
     assert freed_by(everyone) == 0  # the last rank holds it
     if IS_LAST:
         del first
-    assert freed_by(alone) == (2 if SIZE == 1 else 0)  # of this rank alone nobody has another
+    assert freed_by(alone) == (2 if SIZE == 1 else 0)  # a communicator of this rank alone names no other rank's
     assert freed_by(everyone) == (1 if SIZE == 1 else 3)
 
 

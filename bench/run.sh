@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Takes the measurements of docs/performance.md: bench/run.sh BUILD FRAMES OUT, e.g. bench/run.sh build ../shared/data/frames out/bench.
-# Sizes may be given in SIZES. Each size is a process of its own, so that its peak memory is its own.
+# bench/run.sh BUILD FRAMES OUT: takes the measurements of docs/performance.md, as bench/run.sh build ../shared/data/frames
+# out/bench. SIZES may list numbers of triangles. Each size has a process of its own, so that its peak memory is measured.
 set -euo pipefail
 build=${1:?folder of the build} frames=${2:?folder with cloth-ball and cloth-funnel} out=${3:?folder for the results}
 read -ra sizes <<<"${SIZES:-10000 30000 100000 300000 1000000 2000000 4000000}"

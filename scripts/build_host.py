@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""build_host.py WORK HOST: the wheel that build_wheel.py has made, beside a program of others that Tamis works in.
+"""build_host.py WORK HOST: an environment with the wheel that build_wheel.py made and a host, a program Tamis works in.
 
-In WORK: `HOST`, an environment with what the wheel's extra of that name asks for, and pytest. Versions are those of
-python/requirements-hosts.txt; PyPI is asked when they or the needs of the tests have changed. Exit code 77 if it
+Makes WORK/HOST: an environment with the wheel, the packages of its extra of that name, and pytest. Versions are those of
+python/requirements-hosts.txt. PyPI is asked only if these or the needs of the tests have changed; exit code 77 if it
 cannot be reached.
 """
 
@@ -13,9 +13,9 @@ import sys
 import build_wheel as ordinary
 
 REQUIREMENTS = ordinary.ROOT / "python" / "requirements-hosts.txt"
-# What the tests need besides.
+# Packages that only the tests need.
 TESTS_NEED = {"newton": ["usd-core"], "blender": ["bpy"]}
-# bpy takes an older NumPy than the tests of the wheel are pinned to.
+# bpy needs an older NumPy than the one that python/requirements.txt pins.
 UNPINNED = ("blender",)
 
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""build_mpi_wheel.py WORK BUILD: the module for Python with `tamis.distributed` in it, which is not shipped.
+"""build_mpi_wheel.py WORK BUILD: an environment with the module for Python and `tamis.distributed`, which is not shipped.
 
-In WORK, after build_wheel.py: `ranks`, an environment with that module, mpi4py and the tools of its tests. It takes the
-MPI that was found for BUILD from the system, and so is not repaired. Exit code 77 if build_wheel.py had no tools.
+Makes WORK/ranks, after build_wheel.py: an environment with that module, mpi4py and pytest. The wheel uses the system's
+MPI, which was found for BUILD, so it is not repaired. Exit code 77 if build_wheel.py found no tools.
 """
 
 import pathlib

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""build_wheel.py WORK [BUILD]: the module for Python as it is shipped, and an environment with nothing else in it.
+"""build_wheel.py WORK [BUILD]: builds the module for Python as it is shipped, and installs it into a new environment.
 
-In WORK: `wheels`, what python/requirements.txt pins; `tools`, a virtual environment with what builds and checks; `sdist`,
-the source distribution; `dist`, the wheel that is built from it, repaired so that it carries its libraries and their
-licences; `user`, an environment into which the wheel was installed, with NumPy alone at first, then with what the tests
-need. PyPI is asked when the requirements have changed, and not again. Exit code 77 if it cannot be reached. With BUILD, a
-folder in which Tamis was built, the wheel takes its libraries from there, which saves minutes; without, it is built from
-scratch as `pip install` does.
+Makes in WORK: `wheels`, the packages that python/requirements.txt pins; `tools`, a virtual environment with the tools to
+build and check; `sdist`, the source distribution; `dist`, the wheel that is built from it, repaired so that it contains
+its libraries and their licences; `user`, an environment with the wheel, tried with NumPy alone, and the packages that
+the tests need.
+
+PyPI is asked only if the requirements have changed; exit code 77 if it cannot be reached. With BUILD, a folder in which
+Tamis was built, the wheel takes its libraries from there, which saves minutes. Without it, the wheel is built from
+scratch as by `pip install`.
 """
 import hashlib
 import os
@@ -29,24 +31,24 @@ def run(*command, **options) -> str:
 
 
 def environment(folder: pathlib.Path, with_pip: bool = False) -> pathlib.Path:
-    """A new, empty virtual environment; its Python."""
+    """Make a new, empty virtual environment; return its Python."""
     shutil.rmtree(folder, ignore_errors=True)
     venv.create(folder, with_pip=with_pip, symlinks=True)
     return folder / "bin" / "python"
 
 
 def pip(work: pathlib.Path, *arguments) -> None:
-    """The pip of the tools."""
+    """Run the pip of the tools."""
     run(work / "tools/bin/python", "-m", "pip", "--quiet", "--disable-pip-version-check", *arguments)
 
 
 def install(work: pathlib.Path, python: pathlib.Path, *what) -> None:
-    """From what PyPI has given before; each module is compiled when it is first imported, as most never are."""
+    """Install packages from WORK/wheels into an environment. Modules are not compiled, as most are never imported."""
     pip(work, "--python", python, "install", "--no-compile", "--no-index", "--find-links", work / "wheels", *what)
 
 
 class Stamp:
-    """Remembers what something was made from, so that it is made again only when that has changed."""
+    """Remembers, in a file, from which contents something was made, so that it is made again only if these change."""
 
     def __init__(self, path: pathlib.Path, *made_from: bytes):
         self.path, self.digest = path, hashlib.sha256(b"\0".join(made_from)).hexdigest()
@@ -73,7 +75,10 @@ def make_tools(work: pathlib.Path) -> None:
 
 
 def make_source(work: pathlib.Path) -> pathlib.Path:
-    """The source distribution, unpacked; what has not changed keeps its age, so that only the rest is built anew."""
+    """Make the source distribution; return the folder where it is unpacked.
+
+    Files that have not changed keep their times, so that only the others are compiled again.
+    """
     shutil.rmtree(work / "sdist", ignore_errors=True)
     run(work / "tools/bin/python", "-m", "build", "--sdist", "--no-isolation", "--outdir", work / "sdist", ROOT)
     (archive,) = (work / "sdist").glob("*.tar.gz")
@@ -99,7 +104,7 @@ def source_digest(source: pathlib.Path) -> bytes:
     return digest.digest()
 
 
-# Of what a wheel carries, by Debian's packages; and what is compiled into it without being a library of its own.
+# The licences of the packages of Debian whose libraries the wheel contains; HEADERS are compiled into it.
 LICENCES = {"libb64-0d": "CC0-1.0", "libcli11-dev": "BSD-3-Clause", "libeigen3-dev": "MPL-2.0",
             "libembree3-3": "Apache-2.0", "libfmt9": "MIT", "libgmp10": "(LGPL-3.0-or-later OR GPL-2.0-or-later)",
             "libmeshoptimizer2d": "MIT", "libpng16-16": "libpng-2.0", "libtbb12": "Apache-2.0", "nanobind": "BSD-3-Clause",
@@ -108,7 +113,7 @@ HEADERS = {"libcli11-dev", "libeigen3-dev", "nlohmann-json3-dev"}
 
 
 def package_of(library: str) -> str:
-    """Debian's package that a library comes from."""
+    """Return the package of Debian that contains a library; exit if its licence is unknown."""
     stem = re.sub(r"-[0-9a-f]{8,}(?=\.so)", "", library)  # auditwheel's hash
     major = re.match(r"lib[^.]+\.so\.\d+", stem)
     package = run("dpkg-query", "--search", f"*/{major[0] if major else stem}*").split(":")[0]
@@ -118,14 +123,14 @@ def package_of(library: str) -> str:
 
 
 def licences_of(package: str) -> "list[pathlib.Path]":
-    """What Debian says of a package, and the licences that this names."""
+    """Return Debian's copyright file of a package, and the texts of the licences that it names."""
     text = pathlib.Path("/usr/share/doc") / package / "copyright"
     named = re.findall(r"/usr/share/common-licenses/[\w.-]*\w", text.read_text())
     return [text, *(pathlib.Path(name) for name in sorted(set(named)))]
 
 
 def name_licences(info: pathlib.Path, licences: "set[str]") -> None:
-    """The metadata say what the wheel as a whole is under, and where the texts are."""
+    """Write the licence of the wheel as a whole, and the names of the texts, into its metadata."""
     expression = " AND ".join(["MIT", *sorted(licences - {"MIT"})])
     head, _, rest = (info / "METADATA").read_text().partition("\n\n")
     lines = [line for line in head.splitlines() if not line.startswith("License-")]
@@ -151,19 +156,19 @@ def add_licences(wheel: pathlib.Path, work: pathlib.Path) -> None:
 
 
 def search_path(work: pathlib.Path) -> "dict[str, str]":
-    """The environment in which what PyPI has given is found first."""
+    """Return environment variables in which PATH begins with the tools."""
     return {**os.environ, "PATH": f"{work / 'tools/bin'}:{os.environ['PATH']}"}
 
 
 def with_libraries_of(build: pathlib.Path) -> "list[str]":
-    """What is left to compile is compiled at once: the least work where nothing is compiled again."""
+    """Return definitions for CMake: take the libraries of `build`, and compile the rest in one unit, which is fastest."""
     return [f"TAMIS_BUILT={build}", "CMAKE_UNITY_BUILD=ON", "CMAKE_UNITY_BUILD_BATCH_SIZE=0"]
 
 
 def compile_wheel(
     work: pathlib.Path, source: pathlib.Path, name: str, defines: "list[str]", mpi: str = "OFF"
 ) -> pathlib.Path:
-    """The wheel in WORK/name, not repaired; its objects stay for next time, and for the other wheel."""
+    """Build the wheel into WORK/name, not repaired; its objects stay for the next time, and for the other wheel."""
     shutil.rmtree(work / name, ignore_errors=True)
     options = [f"-Ccmake.define.{define}" for define in (f"TAMIS_PYTHON_MPI={mpi}", "TAMIS_PYTHON_COMMAND=ON", *defines)]
     run(work / "tools/bin/python", "-m", "build", "--wheel", "--no-isolation", "--outdir", work / name,
@@ -184,7 +189,7 @@ def make_wheel(work: pathlib.Path, source: pathlib.Path, defines: "list[str]") -
 
 
 def make_user(work: pathlib.Path, wheel: pathlib.Path) -> None:
-    """The wheel must work with NumPy alone before anything else comes in."""
+    """Install the wheel, which must work with NumPy alone; then install the packages of the tests."""
     python = environment(work / "user")
     install(work, python, wheel)
     run(python, "-I", "-c", "import tamis; assert len(tamis.contacts([[0,1,2]], [[0,0,0],[1,0,0],[0,1,0]], "

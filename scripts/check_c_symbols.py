@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""check_c_symbols.py LIBRARY HEADERS: the library exports what the folder's headers declare, with its version, and nothing else.
+"""check_c_symbols.py LIBRARY HEADERS: checks that the library exports exactly the functions of the folder's headers.
 
-A symbol more is C++ that leaks into every program that loads the library, where it may replace another library's; one
-less is a function that cannot be called.
+All symbols must have the library's version. An additional symbol may replace another library's in a program that loads
+this one; a missing symbol is a function that cannot be called.
 """
 import pathlib
 import re

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# check_clang.sh BUILD [TARGET]: TARGET, or everything, compiles with clang 14 without a warning, and tests and benchmarks
-# are parsed without one; exit 77 where it is absent. All sources of a target at once, so that two that have a name in
-# common come to light. Not optimised: clang warns before it optimises. The library is a shared one, which consumer.shared_library_from_readme installs.
+# check_clang.sh BUILD [TARGET]: checks that TARGET, or everything, compiles with clang 14 without a warning, and that tests
+# and benchmarks are parsed without one. Exit code 77 if clang 14 is absent. All sources of a target are compiled as one
+# unit, which shows names that two of them share. Not optimised, as clang warns before it optimises. The library is a shared
+# one, which the test consumer.shared_library_from_readme installs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every C and C++ file is as clang-format 14 would write it; exit 77 where that is not installed. --fix writes them so.
+# Checks that clang-format 14 would change no C or C++ file; --fix formats them. Exit code 77 if it is not installed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""check_isa_symbols.py ISA OBJECT...: objects compiled for one instruction set define no function that others share.
+"""check_isa_symbols.py ISA OBJECT...: checks that objects for one instruction set define no function that others share.
 
 The linker keeps one copy of an inline function or template. If std::vector<int>::push_back is also compiled with
-AVX-512 and that copy wins, every machine without AVX-512 dies in it. So whatever such an object offers to the
-linker must carry its instruction set in its name: a namespace tamis::ISA, or an xsimd architecture as a parameter.
+AVX-512 and the linker keeps that copy, it crashes on every machine without AVX-512. So the name of each function that
+such an object defines must contain its instruction set: a namespace tamis::ISA, or an xsimd architecture as parameter.
 """
 import re
 import subprocess

@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Includes point one way: down the layers of src/, and from everything else to the public headers only.
+"""Checks that includes point one way: down the layers of src/, and from everything else to the public headers only.
 
-The order of the layers has its home here; src/CMakeLists.txt and docs/architecture.md list them, which is checked."""
+The order of the layers is defined here; that src/CMakeLists.txt and docs/architecture.md list the same is checked."""
 import pathlib
 import re
 import sys
 
-# A layer includes itself and those of a smaller number. Lists elsewhere go upwards, too.
+# A layer may include itself and layers with a smaller number. The lists elsewhere are in ascending order.
 LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filters": 3, "distance": 4, "curves": 4,
          "exact": 5, "narrow": 6, "kernels": 7, "query": 8, "coherence": 9, "search": 10,
          "paths": 11, "detect": 12, "world": 13}
-# Folders outside the library, and what each may use beside itself and the public headers.
+# Folders outside the library, and what each may include besides itself and the public headers.
 OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "audit", "io", "scenes"],
            # Ranks find a frame together, and give it to their detectors.
            "mpi/include": [], "mpi/src": ["mpi", "bounds", "detect"], "mpi/command": ["mpi", "io", "cli"],
@@ -20,7 +20,7 @@ OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "audit", "io",
            "bench/exact": ["scenes", "io", "bench", "oracle", "support", *LAYER], "bench/matrix": ["scenes", "io", "matrix"],
            "bench/paths": ["scenes"], "bench/questions": ["scenes", "io", "questions"], "bench/subspace": ["scenes", "lab"],
            "bench/worlds": ["scenes", "worlds"],
-           # The laboratory: its methods see the library's insides, its queries and its command what others see.
+           # The laboratory: its methods may include all layers; its queries and its command may not.
            "lab": ["scenes", *LAYER], "lab/queries": ["io", "lab"], "lab/command": ["io", "scenes", "cli", "lab"]}
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
@@ -34,7 +34,7 @@ def may_include(user: str, used: str) -> bool:
 
 
 def wrong_lists(root: pathlib.Path) -> list[str]:
-    """Other lists of the layers: each names all of them, none before one that is below it."""
+    """Return what is wrong with the lists of layers elsewhere: each must name all of them, in ascending order."""
     build = (root / "src/CMakeLists.txt").read_text()
     document = (root / "docs/architecture.md").read_text()
     lists = {"src/CMakeLists.txt": re.search(r"foreach\(layer ([^)]*)\)", build)[1].split(),
@@ -55,7 +55,7 @@ def main() -> int:
     for name, folder in folders:
         for path in sorted(p for p in folder.rglob("*") if p.suffix in (".hpp", ".cpp")):
             place = path.relative_to(root).as_posix()
-            # lab/tests are tests, lab/command and lab/queries have lines of their own.
+            # lab/tests may include anything; lab/command and lab/queries have lines of their own in OUTSIDE.
             if place.startswith("lab/tests/") or (name == "lab" and place.startswith(("lab/command/", "lab/queries/"))):
                 continue
             for used in INCLUDE.findall(path.read_text()):

@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""docs/questions.md has every question of every door, and no other; what tests of all questions ask is all of them."""
+"""Checks that docs/questions.md lists exactly the questions of every door, and that tests of all questions ask all.
+
+A door is an interface of Tamis: C++, Python, C, the command, MPI.
+"""
 from __future__ import annotations
 
 import ast
@@ -10,9 +13,9 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = "docs/questions.md"
 DETECTOR = "include/tamis/detector.hpp"
-# Tests of whatever a detector is asked.
+# Sources of tests that must ask every question of a detector.
 ASK_ALL = ("tests/support/every_question.cpp", "tests/support/as_new.hpp")
-# What a door has besides questions: making, changing, reading what was answered.
+# Functions of doors that are no questions: they make, change or read.
 NO_QUESTIONS = {
     *("add", "add_many", "move", "move_many", "motion", "remove", "set_enabled", "set_may_touch", "set_radius"),
     *("mesh", "options", "statistics", "vertex_count", "balance"),
@@ -28,7 +31,7 @@ def text(place: str) -> str:
 
 
 def methods(header: str, owner: str) -> set[str]:
-    """Of a class in C++: what returns something and has a name of its own."""
+    """Return the names of a C++ class' methods that return something."""
     body = re.search(rf"^class {owner} {{\n(.*?)^(?: private:|}};)", text(header), re.DOTALL | re.MULTILINE)[1]
     return set(re.findall(r"^  (?!explicit|return)[\w:<>&*, ]+ [&*]?(\w+)\([^;]*;", body, re.MULTILINE))
 
@@ -38,7 +41,7 @@ def functions(header: str) -> set[str]:
 
 
 def python_methods(owner: str, *places: str) -> set[str]:
-    """Of a class in Python, with those of the classes that it is made of."""
+    """Return the public methods of a Python class and of its bases."""
     sources = [ast.parse(file.read_text()) for place in places for file in (ROOT / "python/tamis").glob(place)]
     classes = {node.name: node for source in sources for node in source.body if isinstance(node, ast.ClassDef)}
 
@@ -50,7 +53,7 @@ def python_methods(owner: str, *places: str) -> set[str]:
 
 
 def python_functions(module: str, names: set[str]) -> set[str]:
-    """Those of `names` that the module exports."""
+    """Return the names that the module exports, out of `names`."""
     exported = ast.literal_eval(re.search(r"^__all__ = (\[.*?\])", text(module), re.DOTALL | re.MULTILINE)[1])
     return names & set(exported)
 
@@ -72,7 +75,7 @@ def verbs(folder: str) -> set[str]:
 
 
 def doors() -> dict[str, list[set[str]]]:
-    """Of each table of the page, by title: the questions of its columns."""
+    """Return the questions of each column of each table of the page, by the table's title."""
     pair_headers = ("include/tamis/pair.hpp", "include/tamis/pair_distance.hpp", "include/tamis/path.hpp")
     of_pairs = set().union(*map(functions, pair_headers))
     distributed = methods("mpi/include/tamis/distributed.hpp", "Detector")
@@ -103,7 +106,7 @@ def doors() -> dict[str, list[set[str]]]:
 
 
 def tables() -> dict[str, list[list[str]]]:
-    """The rows of each table of the page, by title, its head first."""
+    """Return the rows of each table of the page, the head first, by the table's title."""
     found = {}
     for part in text(PAGE).split("\n## ")[1:]:
         title, _, body = part.partition("\n")

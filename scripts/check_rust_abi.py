@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""What the crates declare of the C interface by hand is what its headers say: structs, calls, numbers.
+"""Checks that the crates' declarations of the C interface are the same as its headers': structs, calls, numbers.
 
-Neither compiler sees both sides: a field that one side lacks would be read from memory that is something else.
+They are written by hand, and neither compiler sees both sides: a field that one side lacks would be read from memory of
+something else.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ IN_RUST = {
     **{"tamis_near_pair": "NearPair", "tamis_intersection": "Intersection"},
 }
 
-# Numbers that stand in C or C++ and again in Rust.
+# Numbers that are written in C or C++ and again in Rust.
 ANSWERS, STATUS, CLAMP = "include/tamis/c/answers.h", "include/tamis/c/status.h", "adapters/clamp.hpp"
 OF_WORLD, OF_CLAMP, OF_MESH = "tamis/src/world.rs", "tamis/src/clamp.rs", "tamis-rapier/src/mesh.rs"
 NUMBERS = [
@@ -37,7 +38,7 @@ Call = tuple[list[str], str]
 
 
 def rust_type(declared: str) -> str:
-    """Of `const double* name`, or `double*`, or `double`."""
+    """Return the type in Rust of a declaration in C: `const double* name`, or `double*`, or `double`."""
     const, base, stars = re.fullmatch(r"(const )?(\w+)\s*(\**)(?:\s*\w+)?", declared.strip()).groups()
     kinds = ["*const " if const else "*mut ", *["*mut "] * (len(stars) - 1)] if stars else []
     return "".join(reversed(kinds)) + IN_RUST.get(base, base)

@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
-# check_tidy.sh BUILD [--all]: clang-tidy 14 over the library, its C interface, the files, the commands, the laboratory and MPI, each
-# source by itself as clang 14 would compile it (BUILD is configured for that, and nothing built): the sources in which
-# this checkout differs from where its branch left main (a header brings the source of its name); on main itself, from
-# the commit before. With --all every source, as scripts/nightly.sh does. Exit 77 where clang-tidy or the history is absent.
+# check_tidy.sh BUILD [--all]: runs clang-tidy 14 over sources of the library, its C interface, the file formats, the
+# commands, the laboratory and MPI, each source by itself. BUILD is configured for clang 14; nothing is built. Checked are
+# the sources that differ from the commit where this branch left main (on main: from the commit before); a header counts as
+# the source of its name. With --all every source is checked, as in scripts/nightly.sh. Exit code 77 if clang-tidy or the
+# history is absent.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 command -v run-clang-tidy-14 >/dev/null || { echo "skipped: no clang-tidy-14"; exit 77; }
 folders='(src|c|audit|io|scenes|cli|lab|mpi)'
 changed_since() { { git diff --name-only "$1" -- && git ls-files --others --exclude-standard; } | sort -u; }
-# As names without extension, one behind the other: src/detect/detector|io/obj
+# Joins names without extension to a pattern: src/detect/detector|io/obj
 stems_of() { grep -E "^$folders/.*[.](cpp|hpp)$" | grep -v ^lab/tests/ | sed 's/[.][ch]pp$//' | sort -u | paste -sd'|'; }
 
 if [[ ${2:-} == --all ]]; then

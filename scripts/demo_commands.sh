@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What the demo shows, with the command tamis at $1: scene, questions and page, written to the folder $2.
+# demo_commands.sh TAMIS FOLDER: runs and prints the commands of the demo: a scene, questions and a page, in FOLDER.
 set -euo pipefail
 tamis=$1
 frames=$2

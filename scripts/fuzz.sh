@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# fuzz.sh SECONDS [TARGET...]: builds the fuzz targets (preset fuzz) and runs each for so long, all by default.
-#   --build FOLDER   builds there, instead of in build/fuzz
-#   --runs N         a fixed number of runs instead, with a fixed seed: the same inputs every time. Not optimised, for
-#                    compiling takes longer than so few runs
-#   --built FOLDER   takes the libraries that were built there, for such runs: only targets, readers and the oracle then
-#                    tell libFuzzer where an input goes
-#   --seed S         for the long run; another seed finds other inputs (default: the clock)
-# Starts from tests/fuzz/corpus; what the fuzzer adds stays in FOLDER/corpus, and the input of a failure in
-# FOLDER/findings: run FOLDER/tests/fuzz/TARGET_fuzz with that file to see it again. Exit 77 where clang is absent.
+# fuzz.sh SECONDS [TARGET...]: builds the fuzz targets (preset fuzz) and runs each for SECONDS; without TARGET all of them.
+#   --build FOLDER   builds in FOLDER, instead of in build/fuzz
+#   --runs N         makes N runs instead, with a fixed seed: the same inputs every time. Not optimised, as compiling takes
+#                    longer than so few runs
+#   --built FOLDER   for such runs: takes the libraries that were built in FOLDER. libFuzzer then sees the coverage only of
+#                    targets, readers and the oracle
+#   --seed S         for the long run: another seed finds other inputs (default: the clock)
+# Starts from tests/fuzz/corpus. Inputs that the fuzzer adds stay in FOLDER/corpus, inputs of failures in FOLDER/findings:
+# run FOLDER/tests/fuzz/TARGET_fuzz with such a file to repeat the failure. Exit code 77 if clang is absent.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -36,8 +36,8 @@ cmake --build "$build" --parallel "$(nproc)" --target "${targets[@]/%/_fuzz}"
 
 for target in "${targets[@]}"; do
   echo "fuzzing: $target"
-  # By itself libFuzzer ends with 77 at a finding, which ctest takes for "skipped". An input takes a second or two alone;
-  # on a machine with ten times as much to do as it has cores one took more than 60.
+  # Without -error_exitcode libFuzzer ends with 77 at a finding, which ctest takes for "skipped". An input takes a second or
+  # two on a free core; on a machine with ten times more work than cores one took more than 60.
   options=(-error_exitcode=1 -print_final_stats=1 -timeout=300 -rss_limit_mb=4096 -artifact_prefix="$build/findings/$target-")
   mkdir -p "$build/findings" "$build/corpus/$target"
   if [[ $target == pair ]]; then options+=(-max_len=320); fi
@@ -45,7 +45,7 @@ for target in "${targets[@]}"; do
   if [[ -n $runs ]]; then
     rm -rf "$build/short/$target" && mkdir -p "$build/short/$target"
     "$build/tests/fuzz/${target}_fuzz" "${options[@]}" -seed=1 -runs="$runs" -verbosity=0 \
-      "$build/short/$target" "tests/fuzz/corpus/$target"  # what it finds goes into the first folder
+      "$build/short/$target" "tests/fuzz/corpus/$target"  # new inputs go into the first folder
   else
     "$build/tests/fuzz/${target}_fuzz" "${options[@]}" -seed="$seed" -max_total_time="$seconds" \
       "$build/corpus/$target" "tests/fuzz/corpus/$target" -verbosity=0

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# hostile.sh SECONDS: attacks the built command for so long, with new cases each round: every verb, every option,
-# streams, names, files, outputs, signals, limits of the system.
-#   --build FOLDER   its build (default: build/dev)
-# What follows goes to tests/hostile/hostile.py: `--seed S --only FAMILY:NUMBER` repeats a case that it named. Exit code
+# hostile.sh SECONDS: attacks the built command for SECONDS, with new cases in each round: every verb and option, streams,
+# names, files, outputs, signals, limits of the system.
+#   --build FOLDER   the command's build (default: build/dev)
+# Further arguments go to tests/hostile/hostile.py: `--seed S --only FAMILY:NUMBER` repeats a case that it named. Exit code
 # 1 if a promise of docs/reliability.md was broken.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# long_run.sh [--build FOLDER] [--seed S] [ORACLE_PAIRS [EXACT_PAIRS]]: the long differential runs of docs/numerics.md,
-# by default 10^7 pairs against the oracle and 10^8 against the exact decision, half of each one by one and half many in
-# a mesh. Four processes with a lower priority; what each has seen so far is in FOLDER/long_run/*.txt, the pairs of
-# broken promises in *.err. Exit code 1 if there is one. FOLDER (default: build/dev) must have been built.
+# long_run.sh [--build FOLDER] [--seed S] [ORACLE_PAIRS [EXACT_PAIRS]]: makes the long differential runs of docs/numerics.md,
+# by default 10^7 pairs against the oracle and 10^8 against the exact decision; half of each are decided one by one, half
+# many in a mesh. Four processes run with a lower priority. Their counts so far are in FOLDER/long_run/*.txt, the pairs of
+# broken promises in *.err. Exit code 1 if there are any. FOLDER (default: build/dev) must have been built.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -27,7 +27,7 @@ for judge in oracle exact; do
     nice -n 10 "$program" $path $judge $((pairs[$judge] / 2)) --seed "$seed" \
       >"$out/$path-$judge.txt" 2>"$out/$path-$judge.err" &
     runs+=($!)
-    seed=$((seed + 1))  # other pairs each
+    seed=$((seed + 1))  # so that each run has other pairs
   done
 done
 failed=0

@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# nightly.sh: all tests, and what takes too long for every day: each source compiled by itself, clang-tidy over everything, both sanitizers, the unit
-# tests on 64-bit ARM, an hour of attacks and one of fuzzing. Some four hours on two cores; goes on after a failure,
-# and names it at the end.
+# nightly.sh: runs all tests, and checks that take too long for every day: each source compiled by itself, clang-tidy over
+# all sources, both sanitizers, the unit tests on 64-bit ARM, an hour of attacks and 50 minutes of fuzzing. Takes some four
+# hours on two cores. Goes on after a failure, and names the failures at the end.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-export TAMIS_LONG=1       # the viewer's tests: a million contacts, a million triangles
-export TAMIS_JOURNEYS=50  # kept detectors against new ones, through every scene
-export TAMIS_NEWTON_FRAMES=650  # Newton's cloth examples with Tamis inside
-export TAMIS_IPCTK_MESHES=1000  # random meshes through ipctk and its calls here
+export TAMIS_LONG=1             # the viewer's tests: also a million contacts, and a million triangles
+export TAMIS_JOURNEYS=50        # seeds for which kept detectors are compared with new ones, in every scene
+export TAMIS_NEWTON_FRAMES=650  # frames of Newton's cloth examples with Tamis inside
+export TAMIS_IPCTK_MESHES=1000  # random meshes for which tamis.compat.ipctk is compared with ipctk
 failed=()
 run() { echo "nightly: $*"; "$@" || failed+=("$*"); }
-run scripts/setup.sh --blender  # the add-on's tests run in it where it is
+run scripts/setup.sh --blender  # the add-on's tests run in the program, too, if it is installed
 run scripts/test.sh
 run python3 scripts/build_host.py build/dev/python blender
 run env TAMIS_WHEEL="$(ls build/dev/python/dist/*.whl)" build/dev/python/blender/bin/python -m pytest python/tests/hosts/test_blender.py

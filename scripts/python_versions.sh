@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Builds and tests the module with other Pythons than the system's: python_versions.sh BUILD PYTHON..., oldest first. BUILD is
-# where Tamis was built; each PYTHON gets an environment in BUILD/python-versions, with what PyPI has for it. The first one
-# that can makes the wheel for the stable ABI; later ones get that very file.
+# python_versions.sh BUILD PYTHON...: builds and tests the module with other Pythons than the system's, oldest first. BUILD
+# is the folder in which Tamis was built. Each PYTHON gets an environment in BUILD/python-versions, with packages of PyPI.
+# The first Python that has the stable ABI builds a wheel for it; later ones install that same file.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=$(realpath "$1")
@@ -14,7 +14,7 @@ for python in "$@"; do
   rm -rf "$work"
   "$python" -m venv "$work"
   quietly=("$work/bin/pip" --quiet --disable-pip-version-check)
-  # Newer pyparsing warns of what the last matplotlib for Python 3.9 does, and warnings are errors here.
+  # Newer versions of pyparsing warn about the last matplotlib for Python 3.9, and warnings are errors here.
   "${quietly[@]}" install numpy pytest hypothesis pandas matplotlib 'pyparsing<3.3' scikit-build-core nanobind
   wheel=$stable
   if [[ -z $wheel ]]; then

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Puts what the demo prints in the README, or fails where the README shows anything else but times and memory.
+"""Writes the demo's output into the README, or checks that the README shows it, except for times and memory.
 
     scripts/refresh_readme.py                               runs scripts/demo.sh, writes README.md
-    scripts/refresh_readme.py --check build/dev/bin/tamis   runs the demo's commands alone, as the tests do
+    scripts/refresh_readme.py --check build/dev/bin/tamis   runs the demo's commands, compares README.md
 """
 import argparse
 import difflib
@@ -21,12 +21,12 @@ def printed_by(*command):
 
 
 def as_shown(printed, tamis, frames):
-    """Commands and what they print as a reader would type them, in the clone."""
+    """Return the commands as a reader would type them in the clone, with their output."""
     text = printed[printed.index("\n$ ") + 1:].strip()
     page = f"browser: {(ROOT / frames).resolve()}"
     for found, shown in ((str(tamis), "tamis"), (page, "browser: …/out/demo"), (str(frames), "out/demo")):
         text = text.replace(found, shown)
-    # What the shell would do to a pattern without quotes.
+    # Quote patterns, which the shell would expand.
     return re.sub(r"^(\$ .* )(\S*\?\S*)", r"\1'\2'", text, flags=re.MULTILINE)
 
 

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# sanitize.sh address|thread [CTEST ARGUMENTS]: builds everything under sanitizers (address: with undefined behaviour)
-# and runs the tests: in all instruction sets this machine has, as the tests do. Half an hour on two cores each.
-#   address  preset asan
-#   thread   preset tsan. Debian's oneTBB is not instrumented, so that what it orders looks like a race: the same
-#            version is built from Debian's source, under the same sanitizer, in build/tsan-tbb.
+# sanitize.sh address|thread [CTEST ARGUMENTS]: builds everything with a sanitizer and runs the tests, which try all
+# instruction sets of this machine. Half an hour on two cores each.
+#   address  preset asan: the address and undefined behaviour sanitizers
+#   thread   preset tsan. Debian's oneTBB is not instrumented, so that its synchronization is not seen and looks like races.
+#            So the same version is built from Debian's source with the sanitizer, in build/tsan-tbb.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# build/tsan-tbb/installed: oneTBB under the thread sanitizer. Nothing installed here is changed.
+# Builds oneTBB with the thread sanitizer into build/tsan-tbb/installed. The system's packages stay as they are.
 build_tbb() {
   local folder=$PWD/build/tsan-tbb
   [[ -e $folder/complete ]] && return

@@ -1,19 +1,21 @@
 #!/usr/bin/env bash
-# Installs the Debian or Ubuntu packages Tamis needs that are not here yet; with --tests, also those of the tests; with
-# --python, those that building the module for Python takes; with --blender, the program that the add-on is tested in, besides
-# the module bpy; with --arm64, those of the tests on 64-bit ARM; with --bench, those of the benchmarks and of the packages
-# Tamis is compared with.
-# Touches neither apt nor the network when nothing is missing.
+# setup.sh [OPTION]: installs the packages of Debian or Ubuntu that Tamis needs and that are missing. An option adds others:
+#   --tests    the packages of the tests, and the viewer's tools
+#   --python   those to build the module for Python
+#   --blender  Blender, in which the add-on is tested (besides the module bpy)
+#   --arm64    those of the tests on 64-bit ARM
+#   --bench    those of the benchmarks, and the libraries that Tamis is compared with
+# Uses neither apt nor the network if nothing is missing.
 set -euo pipefail
 
 packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
           libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev libb64-dev libpng-dev)
-# What draws pictures; Debian has it for these machines alone.
+# Draws pictures; Debian has it for x86_64 only.
 [[ $(uname -m) != x86_64 ]] || packages+=(libembree-dev)
 if [[ ${1:-} == --tests ]]; then
   packages+=(libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev libbullet-dev binutils valgrind clang-14
              clang-format-14 clang-tidy-14 libclang-rt-14-dev chromium)
-  # Node from elsewhere than Debian brings its own npm, and conflicts with Debian's.
+  # Node from elsewhere than Debian has an npm of its own, and conflicts with Debian's.
   command -v npm >/dev/null || packages+=(nodejs npm)
 fi
 if [[ ${1:-} == --python ]]; then
@@ -50,7 +52,7 @@ else
     apt-get install -q -y --no-install-recommends "${missing[@]}" </dev/null
 fi
 
-# The viewer's tools, exactly those of its lock file.
+# The viewer's tools, in exactly the versions of its lock file.
 viewer=$(dirname "$0")/../viewer
 if [[ ${1:-} == --tests && ! $viewer/node_modules/.package-lock.json -nt $viewer/package-lock.json ]]; then
   echo "setup: installing the viewer's tools into viewer/node_modules"

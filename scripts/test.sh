@@ -19,5 +19,5 @@ fi
 scripts/setup.sh --tests
 cmake --preset "$preset"
 cmake --build --preset dev
-# One more than there are cores: some wait for PyPI, for a browser, or for each other's ranks.
+# One test more than there are cores, as some wait for PyPI, for a browser, or for other ranks.
 ctest --preset dev --parallel "$(($(nproc) + 1))" "${quick[@]}" "$@"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# test_rust.sh FOLDERS TARGET: builds and tests the crates of adapters/rapier, without a warning, against the libraries
-# tamis_c and tamis_clamp in FOLDERS (A:B); what cargo makes is kept in TARGET. Exit code 77 where cargo is missing or
-# too old, or where the crates are not here and their registry cannot be reached.
+# test_rust.sh FOLDERS TARGET: builds and tests the crates of adapters/rapier against the libraries tamis_c and tamis_clamp
+# in FOLDERS (A:B). cargo's output stays in TARGET. Exit code 77 if cargo is missing or too old, or if the crates they need
+# are missing and the registry cannot be reached.
 set -euo pipefail
 cd "$(dirname "$0")/../adapters/rapier"
 
@@ -20,5 +20,5 @@ if ! cargo fetch --quiet --locked --offline 2>/dev/null && ! timeout 120 cargo f
 fi
 ! cargo fmt --version >/dev/null 2>&1 || cargo fmt --all --check
 export TAMIS_LIBRARY_DIR=$1 LD_LIBRARY_PATH=$1${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
-cargo test --quiet --locked --offline --target-dir "$2" --package tamis  # without the clamp, as most use it
+cargo test --quiet --locked --offline --target-dir "$2" --package tamis  # without the clamp, as most users have it
 cargo test --quiet --locked --offline --target-dir "$2"

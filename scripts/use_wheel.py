@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""use_wheel.py WORK ENVIRONMENT ARGUMENTS...: runs a Python that build_wheel.py made in WORK: `user` or `tools`.
+"""use_wheel.py WORK ENVIRONMENT ARGUMENTS...: runs the Python of an environment in WORK, such as `user` or `tools`.
 
-Exit code 77 if it is not there, which build_wheel.py has then explained.
+build_wheel.py, build_mpi_wheel.py and build_host.py make the environments. Exit code 77 if it does not exist; the script
+that should have made it has then said why.
 """
 import os
 import pathlib

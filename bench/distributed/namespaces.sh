@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# namespaces.sh BUILD START END: four ranks, each in a network namespace of its own, that talk by TCP over one bridge; as root. DELAY=1ms
-# slows every packet, where the kernel has netem. Then compares with one process.
+# namespaces.sh BUILD START END: asks four ranks, each in a network namespace of its own, which talk by TCP over one bridge.
+# Then compares the answer with that of one process. Needs root. DELAY=1ms delays every packet, if the kernel has netem.
 set -euo pipefail
 build=$(realpath "$1") start=$(realpath "$2") end=$(realpath "$3")
 ranks=4 net=10.77.0
@@ -26,7 +26,7 @@ for ((i = 0; i < ranks; ++i)); do
   [[ -z ${DELAY:-} ]] || ip netns exec "tamis$i" tc qdisc add dev eth0 root netem delay "$DELAY"
 done
 
-# Ranks find mpirun over the bridge, and each other by TCP alone.
+# Ranks reach mpirun over the bridge, and each other only by TCP.
 PMIX_MCA_ptl_tcp_if_include=$net.0/24 PMIX_MCA_ptl_tcp_remote_connections=1 PMIX_MCA_gds=hash \
   mpirun --allow-run-as-root --oversubscribe --mca mpi_yield_when_idle 1 --mca pml ob1 --mca btl tcp,self \
   --mca btl_tcp_if_include "$net.0/24" -x PMIX_MCA_gds -n "$ranks" \

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# run.sh BUILD OUT.csv [LARGEST]: counts for 1 to 64 ranks of 10^4 triangles and of 10^5, to 4 of 10^6 (or as many as LARGEST).
-# Ranks may be many more than cores: what is counted does not depend on that.
+# run.sh BUILD OUT.csv [LARGEST]: writes counts for 1 to 64 ranks with 10^4 and with 10^5 triangles each, and for 1, 2 and
+# LARGEST ranks (default: 4) with 10^6. There may be more ranks than cores: the counts do not depend on that.
 set -euo pipefail
 program=$1/bin/tamis_distributed out=$2 largest=${3:-4}
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# time.sh BUILD OUT.csv [TRIANGLES]: milliseconds of a question asked by 1 and 2 threads and by 1 and 2 ranks, in turns, five times
-# each; what stands before mpirun comes from BEFORE, as in BEFORE='chrt -f 50' where others use the machine.
+# time.sh BUILD OUT.csv [TRIANGLES]: measures the milliseconds of questions with 1 and 2 threads and with 1 and 2 ranks, in
+# turns, five times each, and prints medians. BEFORE is put before mpirun: BEFORE='chrt -f 50' if others use the machine.
 set -euo pipefail
 program=$1/bin/tamis_ranks_time out=$2 triangles=${3:-200000}
 
-ask() {  # ranks, then what the program takes
+ask() {  # RANKS [ARGUMENTS of the program]
   ${BEFORE:-} mpirun --allow-run-as-root --bind-to none --mca mpi_yield_when_idle 1 -n "$1" "$program" "$triangles" "${@:2}" >>"$out"
 }
 

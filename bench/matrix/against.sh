@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # against.sh COMMIT [ARGUMENT...]: builds COMMIT and this checkout, and compares the two on the matrix; arguments go to
-# compare.py. What is built stays in build/matrix: a commit is built once.
+# compare.py. The builds stay in build/matrix, so that a commit is built once.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 commit=$(git rev-parse --short "$1^{commit}")

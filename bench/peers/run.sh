@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# bench/peers/run.sh BUILD FRAMES OUT.csv: what Tamis takes for the steps of peers.csv. FRAMES: the folder with cloth-ball,
-# cloth-funnel and kick. bench/peers/plot.py then puts both side by side.
+# bench/peers/run.sh BUILD FRAMES OUT.csv: measures Tamis on the steps of peers.csv. FRAMES: the folder with cloth-ball,
+# cloth-funnel and kick. bench/peers/plot.py then compares both.
 set -euo pipefail
 build=$1 frames=$2 out=$3
 

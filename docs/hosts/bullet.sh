@@ -1,7 +1,6 @@
 #!/bin/sh
-# bullet.sh BIN: docs/hosts/bullet-*.png, the start of one step each: Bullet as it is (alone), and with Tamis. What
-# touches in that step glows.
-# BIN has `tamis` and `tamis-bullet`.
+# bullet.sh BIN: makes docs/hosts/bullet-*.png, each the start of one step, of Bullet as it is (alone) and with Tamis.
+# Features that touch in the step glow. BIN: the folder with `tamis` and `tamis-bullet`.
 set -eu
 bin=$1
 here=$(dirname "$0")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the pages and pictures of docs/looking.md: make.sh TAMIS START.ply END.ply, the frames being those of cloth-ball
-# (Sample-Scalable-CCD-Data, Apache-2.0). Needs what scripts/setup.sh --tests installs.
+# make.sh TAMIS START.ply END.ply: makes the pages and pictures of docs/looking.md. The frames are those of cloth-ball
+# (Sample-Scalable-CCD-Data, Apache-2.0). Needs the packages of scripts/setup.sh --tests.
 set -euo pipefail
 tamis=$(realpath "$1") start=$(realpath "$2") end=$(realpath "$3")
 cd "$(dirname "$0")"
@@ -19,7 +19,7 @@ shoot "$work/step.html" overview.png 1280x720 dark
 shoot "$work/step.html" sieve.png 1280x720 light v
 shoot cloth-ball.html pair.png 1280x720 dark s
 
-# audit.html is what the example of docs/audit.md saves, with the module for Python.
+# The example of docs/audit.md, run with the module for Python, makes audit.html.
 python=${PYTHON:-python3}
 sed -n '/^```python$/,/^```$/p' ../audit.md | sed '/^```/d' >"$work/audit.py"
 echo 'report.save("audit.html")' >>"$work/audit.py"

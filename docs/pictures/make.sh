@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the README's picture from a real run: make.sh TAMIS START.ply END.ply OUT.png
-# Needs POV-Ray and NumPy (Debian: povray, python3-numpy).
+# make.sh TAMIS START.ply END.ply OUT.png: makes the README's picture from the contacts of a step. Needs POV-Ray and NumPy
+# (Debian: povray, python3-numpy).
 set -euo pipefail
 folder=$(dirname "$0")
 contacts=$(mktemp --suffix=.csv)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the pictures of docs/scenes.md: scenes.sh FOLDER, which holds the frames of airbag, cloth-ball, funnel, funnel-92k
-# and bunny, each in a folder of its own. Needs POV-Ray, NumPy, SciPy and ImageMagick (Debian: povray, python3-numpy,
+# scenes.sh FOLDER: makes the pictures of docs/scenes.md. FOLDER has the frames of airbag, cloth-ball, funnel, funnel-92k and
+# bunny, each in a folder of its own. Needs POV-Ray, NumPy, SciPy and ImageMagick (Debian: povray, python3-numpy,
 # python3-scipy, imagemagick).
 set -euo pipefail
 frames=$1
@@ -8,7 +8,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# strip NAME "FRAME ..." CAMERA...: the frames side by side
+# strip NAME "FRAME ..." CAMERA...: draws the frames side by side into scene-NAME.png
 strip() {
   local name=$1 number pictures=()
   local numbers=$2

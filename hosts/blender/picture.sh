@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# picture.sh ZIP FOLDER: FOLDER/blender.png, Blender's window with the add-on's answer (docs/hosts/blender.md), of which
-# the page shows the part from (0, 70) to (1240, 900). Needs no screen, but Debian's blender, xvfb and xdotool.
+# picture.sh ZIP FOLDER: makes FOLDER/blender.png, Blender's window with the add-on's answer. docs/hosts/blender.md shows its
+# part from (0, 70) to (1240, 900). Needs no screen, but Debian's blender, xvfb and xdotool.
 set -euo pipefail
 zip=$(realpath "$1") folder=$(realpath "$2") here=$(dirname "$(realpath "$0")")
 rm -f "$folder"/{shown,taken}
@@ -14,8 +14,8 @@ in_window() {
   blender -p 0 0 1500 900 --python "$here/picture.py" -- "$zip" "$folder" &
   wait_for shown
   sleep 3
-  xdotool mousemove 1226 244 click 1 sleep 1  # the tab
-  drag 600 814 740                            # a higher timeline, so that its markers are seen
+  xdotool mousemove 1226 244 click 1 sleep 1  # opens the add-on's tab
+  drag 600 814 740                            # makes the timeline higher, so that its markers are seen
   xdotool mousemove 400 600
   wait_for taken
   kill %1

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# no_memory.sh COMMAND...: runs it (no_memory under mpirun) from place 0, and from behind every place that ended all ranks.
+# no_memory.sh COMMAND...: runs COMMAND (no_memory under mpirun) from place 0 on. If memory that fails at a place ends all
+# ranks, it runs COMMAND again from behind that place.
 set -euo pipefail
-readonly kEnded=12 # what MPI_Abort is given
+readonly kEnded=12 # the exit code given to MPI_Abort
 next=0 agreed=0 ended=0
 while true; do
   code=0

@@ -1,5 +1,5 @@
-# Cross-compiling for 64-bit ARM with Debian's compiler; run by qemu. The libraries' arm64 packages lie unpacked in the
-# folder TAMIS_ARM64_PACKAGES (scripts/test_arm64.sh puts them there); headers without code are the host's.
+# Cross-compiles for 64-bit ARM with Debian's compiler; qemu runs the programs. The libraries' arm64 packages are unpacked in
+# TAMIS_ARM64_PACKAGES (by scripts/test_arm64.sh). Header-only libraries are the host's.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)

@@ -1,4 +1,4 @@
-# The libraries of a build that is there already, in place of building them: TAMIS_BUILT is its folder.
+# Imports the libraries of an existing build, whose folder is TAMIS_BUILT, instead of building them.
 find_package(TBB REQUIRED)
 find_package(GMP REQUIRED)
 

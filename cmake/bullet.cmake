@@ -1,5 +1,5 @@
-# Bullet of Debian's libbullet-dev, in floats: its package file for CMake names folders relative to a prefix that it does
-# not know. Defines tamis_bullet_dynamics (rigid bodies) where it is found, and tamis_bullet_soft.
+# Finds Bullet, in floats, as in Debian's libbullet-dev. (Its own package file for CMake has folders relative to a prefix
+# that it does not know.) Defines tamis_bullet_dynamics (rigid bodies) and tamis_bullet_soft if they are found.
 find_path(BULLET_INCLUDE btBulletDynamicsCommon.h PATH_SUFFIXES bullet)
 find_library(BULLET_DYNAMICS BulletDynamics)
 find_library(BULLET_COLLISION BulletCollision)

@@ -1,4 +1,4 @@
-# Included before all targets: every function that is compiled here reports where it goes, which is what guides the fuzzer.
+# Included before all targets: all functions that are compiled report their coverage, which guides the fuzzer.
 if(TAMIS_BUILD_TESTS OR TAMIS_BUILD_TOOLS)
   message(FATAL_ERROR "The fuzz targets are built alone: use the preset fuzz, or switch tests and tools off")
 endif()

@@ -1,11 +1,11 @@
-# What `cmake --install` puts where; `find_package(tamis)` then gives tamis::tamis.
+# The rules of `cmake --install`; `find_package(tamis)` then defines tamis::tamis.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(TAMIS_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/tamis)
 set_target_properties(tamis PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 install(TARGETS tamis EXPORT tamis-targets FILE_SET HEADERS)
-# Wherever they are put, libraries find each other.
+# The libraries find each other in any folder.
 foreach(library tamis_c tamis_mpi)
   if(TARGET ${library})
     set_target_properties(${library} PROPERTIES INSTALL_RPATH "$ORIGIN")

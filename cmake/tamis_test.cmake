@@ -5,7 +5,7 @@ function(tamis_test_options name)
   tamis_optimise_less(${name})
 endfunction()
 
-# What makes an executable a program of tests.
+# Makes an executable a program of tests.
 function(tamis_test_program name)
   tamis_test_options(${name})
   target_precompile_headers(${name} REUSE_FROM tamis_test_headers)
@@ -20,7 +20,7 @@ function(tamis_test name)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${TAMIS_TEST_TIMEOUT})
 endfunction()
 
-# Nobody runs it: an executable as the tests are, so that they can take what it has read.
+# An executable that is never run: it has the settings of the tests, so that they can reuse its precompiled headers.
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp CONTENT "int main() {}\n")
 add_executable(tamis_test_headers ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp)
 tamis_test_options(tamis_test_headers)

@@ -1,4 +1,5 @@
-# Without a build type the project is built as Release, and as a part of another one, in the way that docs/cpp.md shows, says what that costs.
+# Without a build type the project is built as Release. As a part of another project it only says what that costs, in the way
+# that docs/cpp.md shows.
 set(configure ${CMAKE_COMMAND} -G ${generator} -D CMAKE_CXX_COMPILER=${compiler} -D TAMIS_BUILD_LAB=OFF -D TAMIS_BUILD_TOOLS=OFF -D TAMIS_BUILD_TESTS=OFF
   -D TAMIS_BUILD_C=OFF -D TAMIS_BUILD_MPI=OFF)
 file(REMOVE_RECURSE ${work})

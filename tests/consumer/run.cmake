@@ -1,4 +1,4 @@
-# Installs the library, then configures, builds and runs the consumer against the installed files alone.
+# Installs the library, then configures, builds and runs the consumer against only the installed files.
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -13,7 +13,7 @@ if(library STREQUAL "${work}/library")
     set(shared ON)
   endif()
   cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
-  # What linking asks is the same without optimisation, and compiled sooner.
+  # Not optimised: that compiles faster, and links in the same way.
   run(${CMAKE_COMMAND} -S ${root} -B ${library} ${compile} -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS_DEBUG=-O0
     -D CMAKE_UNITY_BUILD=ON -D BUILD_SHARED_LIBS=${shared}
     -D TAMIS_BUILD_LAB=OFF -D TAMIS_BUILD_TOOLS=OFF -D TAMIS_BUILD_TESTS=OFF)

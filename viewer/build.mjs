@@ -1,4 +1,4 @@
-// Bundles src/ into one HTML file without any reference to the outside: node build.mjs [OUT.html]
+// Bundles src/ into one HTML file that refers to no other file or address: node build.mjs [OUT.html]
 import { readFile, mkdir, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";

@@ -1,4 +1,4 @@
-// Pictures of a page: node shoot.mjs PAGE.html OUT.png [WIDTHxHEIGHT] [dark|light] [KEY...] presses keys, then shoots.
+// Takes a picture of a page after pressing keys: node shoot.mjs PAGE.html OUT.png [WIDTHxHEIGHT] [dark|light] [KEY...]
 import { resolve } from "node:path";
 import { chromium } from "playwright-core";
 
@@ -16,7 +16,7 @@ for (const key of keys) {
   await tab.keyboard.press(key);
   await tab.waitForTimeout(300);
 }
-// A message that has been read would only cover the picture.
+// Hides the message at the start, which would cover the picture.
 await tab.waitForTimeout(1000);
 await tab.evaluate(() => document.getElementById("toast").remove());
 await tab.screenshot({ path: out });

@@ -6,7 +6,7 @@ import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const folder = dirname(fileURLToPath(import.meta.url));
-// Below node_modules, so that what the bundles leave out is found.
+// The bundles are below node_modules, so that they find the packages that they import.
 const out = join(folder, "node_modules", ".tests", String(process.pid));
 const names = (await readdir(join(folder, "test"))).filter((name) => name.endsWith(".test.ts"));
 await build({

@@ -1,4 +1,4 @@
-// What buttons and keys do beyond changing one value.
+// The actions of buttons and keys that do more than change one value.
 import { Box3, Vector3 } from "three";
 import { isPose, nothingFound, nounOf } from "./scene/header";
 import type { Pair } from "./scene/pair";
@@ -15,7 +15,7 @@ export class Actions {
     private readonly stage: Stage | null,
   ) {}
 
-  /** In the scene, as it touches. */
+  /** Shows the first contact in the scene, at its time. */
   firstContact(): void {
     const { header } = this.session.scene;
     const contact = this.session.view.firstContact;
@@ -28,7 +28,7 @@ export class Actions {
     this.flyNear(this.session.pair);
   }
 
-  /** The pair alone, at the time up to which the step is proven free. */
+  /** Shows the pair that ends the step alone, at the time until which the pair is proven apart. */
   whatStops(): void {
     const { header } = this.session.scene;
     if (isPose(header)) return;
@@ -60,7 +60,7 @@ export class Actions {
     this.stage?.camera.fly(this.wholeStep());
   }
 
-  /** So near that the pair fills a good part of the view. */
+  /** Flies so near to the pair that it fills a good part of the view. */
   flyTo(pair: Pair): void {
     const { stage } = this;
     if (!stage) return;
@@ -68,7 +68,7 @@ export class Actions {
     const { eye, target: old } = stage.camera.viewpoint;
     const direction = eye.sub(old).normalize();
     const normal = new Vector3(...pair.normal);
-    // Seen across the normal, the gap between the features is seen best.
+    // The gap between the features is seen best from a direction across the normal.
     direction.addScaledVector(normal, -0.8 * direction.dot(normal));
     if (direction.lengthSq() < 0.05) direction.set(0.3, 0.4, 1);
     stage.camera.fly({
@@ -80,7 +80,7 @@ export class Actions {
     });
   }
 
-  /** So near that one still sees where in the scene the pair is. */
+  /** Flies near to the pair, but not so near that its place in the scene is lost. */
   private flyNear(pair: Pair | null): void {
     if (!pair || !this.stage) return;
     const { eye, target: middle } = this.wholeStep();
@@ -126,7 +126,7 @@ export class Actions {
     );
   }
 
-  /** From above and to the side, as near as all that moves allows. */
+  /** A view from above and the side, as near as possible with all moving objects in it. */
   wholeStep(): Viewpoint {
     const places = this.places();
     const target = new Box3().setFromPoints(places).getCenter(new Vector3());
@@ -136,7 +136,7 @@ export class Actions {
     const camera = this.stage?.camera.camera;
     const tall = Math.tan((((camera?.fov ?? 36) / 2) * Math.PI) / 180);
     const wide = tall * (camera?.aspect ?? 1);
-    // What is written above and below the scene takes its share of the height.
+    // Leaves space for the text above and below the scene.
     const [marginX, marginY] = [0.94, 0.74];
     let distance = 1e-3;
     for (const place of places) {
@@ -147,7 +147,7 @@ export class Actions {
     return { eye: toEye.multiplyScalar(distance).add(target), target };
   }
 
-  /** Of the vertices that move in this step, in any frame that is looked at; of all, if none does. */
+  /** Positions, in some frames, of the vertices of objects that move in this step; of all objects if none moves. */
   private places(): Vector3[] {
     const { start, end } = this.session.view.step;
     const { objectOfVertex } = this.session.scene;
@@ -163,7 +163,7 @@ export class Actions {
     return shown.flatMap((v) => frames.map((at) => new Vector3().fromArray(at, 3 * v)));
   }
 
-  /** Some steps of a sequence, evenly, as many as take no noticeable time. */
+  /** The starts of some steps of the sequence, evenly spaced, and few enough to take no noticeable time. */
   private otherFrames(vertices: number): Float32Array[] {
     const { scene } = this.session;
     const count = Math.min(scene.stepCount - 1, 16, Math.floor(200_000 / Math.max(vertices, 1)));

@@ -1,6 +1,6 @@
-// Colours that a colour-blind person can tell: one scale for time, whose lightness rises all the way, and a few objects.
+// Colours that colour-blind people can tell apart: a scale for time, with rising lightness, and a few for objects.
 
-/** Plasma (Smith, van der Walt; CC0), eleven of its steps: late is dark, early is bright. */
+/** Eleven steps of Plasma (Smith, van der Walt; CC0): late is dark, early is bright. */
 const kPlasma = [
   [0x5c, 0x01, 0xa6],
   [0x7e, 0x03, 0xa8],
@@ -17,7 +17,7 @@ const kPlasma = [
 
 export type Rgb = [number, number, number];
 
-/** Colour of a time of impact, components 0 to 255. */
+/** The colour of a time of impact, components 0 to 255. */
 export function colourOfTime(time: number): Rgb {
   const place = (1 - Math.min(Math.max(time, 0), 1)) * (kPlasma.length - 1);
   const below = Math.min(Math.floor(place), kPlasma.length - 2);

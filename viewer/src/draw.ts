@@ -1,4 +1,4 @@
-// The drawing follows the state.
+// Updates the drawing when the state changes.
 import type { Actions } from "./actions";
 import { advance } from "./player";
 import { kFilterKeys, type Session } from "./session";
@@ -10,7 +10,7 @@ import type { Stage } from "./view3d/stage";
 
 const linear = (time: number): number[] => [...colourOfTime(time).map((c) => Math.round(255 * (c / 255) ** 2.2)), 255];
 
-/** Normals of the listed contacts, a fiftieth of the scene long. */
+/** Segments along the normals of the listed contacts, a fiftieth of the scene long. */
 function normalsOf({ scene, view, rows }: Session): SegmentData {
   const { contacts } = scene;
   const { start, end } = view.marks;

@@ -1,4 +1,4 @@
-// The state in the address behind `#`, so that a link shows what its sender saw.
+// Writes the state into the address, behind `#`, and reads it: a link shows the sender's view.
 import { Vector3 } from "three";
 import { initialState, type ViewState } from "./store";
 import type { Viewpoint } from "./view3d/camera";
@@ -11,7 +11,7 @@ const short = (x: number): string => String(Number(x.toPrecision(6)));
 export function toHash(state: Readonly<ViewState>, viewpoint: Viewpoint | null): string {
   const parts = new URLSearchParams();
   if (state.step > 0) parts.set("step", String(state.step));
-  // All digits: the selected contact's bracket may be narrower than six of them show.
+  // With all digits: the selected contact's bracket may be narrower than six digits show.
   parts.set("t", String(state.time));
   for (const key of kNumbers) if (state[key] !== initialState[key]) parts.set(key, String(state[key]));
   if (state.brush[0] > 0 || state.brush[1] < 1) parts.set("brush", state.brush.map(short).join(","));
@@ -26,7 +26,7 @@ export function toHash(state: Readonly<ViewState>, viewpoint: Viewpoint | null):
 
 const numbers = (text: string | null): number[] => (text === null ? [] : text.split(",").map(Number));
 
-/** What the hash says; anything it does not understand is left out. `stepCount`, `contactCount`: what there is. */
+/** The state that a hash describes, without entries that are unknown or not in this scene. */
 export function fromHash(
   hash: string,
   stepCount: number,

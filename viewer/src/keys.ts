@@ -1,4 +1,4 @@
-// Everything by keyboard; the list that `?` shows is made from the same table.
+// The table of keys, from which the list that `?` shows is made, too.
 import { playPair, timeOf } from "./panels/pair_panel";
 import { togglePlay } from "./panels/timeline";
 import { isPose } from "./scene/header";
@@ -9,7 +9,7 @@ import type { Actions } from "./actions";
 export interface KeyAction {
   /** As in KeyboardEvent.key, with Shift+ or Alt+ before it. */
   keys: string[];
-  /** For people; the keys themselves if it is absent. */
+  /** The name in the list of keys; if absent, the keys themselves. */
   label?: string;
   does: string;
   run: (key: string) => void;
@@ -232,7 +232,7 @@ export function keyTable(session: Session, actions: Actions): Record<string, Key
   return { Time: timeKeys(session), Contacts: pairs, Looking: looking };
 }
 
-/** The name of a pressed key as in the table; null if the page should not take it. */
+/** The table's name of a pressed key; null if the page should not handle it. */
 function nameOf(event: KeyboardEvent): string | null {
   if (event.ctrlKey || event.metaKey) return null;
   const isArrow = event.key.startsWith("Arrow");
@@ -250,7 +250,7 @@ export function listenToKeys(table: Record<string, KeyAction[]>): void {
     if (key === null) return;
     const isTyping = target.matches("select, input:not([type=range]):not([type=checkbox])");
     if (isTyping && key === "Escape") target.blur();
-    // A focused button or list keeps the keys that press it and that leave it.
+    // A focused button or list handles by itself the keys that press it and leave it.
     const presses = target.matches("button, input[type=checkbox], a") && (key === " " || key === "Enter");
     const action = actions.get(key);
     if (!action || isTyping || presses || document.querySelector("dialog[open]")) return;

@@ -1,4 +1,4 @@
-// Opens the scene in the page and puts everything in its place.
+// Opens the scene in the page, and makes panels and drawing.
 import { Actions } from "./actions";
 import { el } from "./dom";
 import { draw } from "./draw";
@@ -18,7 +18,7 @@ import { Session } from "./session";
 import { initialState, Store } from "./store";
 import { Stage } from "./view3d/stage";
 
-/** The drawing, or null and a sentence where it should be. */
+/** Makes the drawing; if that fails, shows a sentence in its place and returns null. */
 function openStage(place: HTMLElement, scene: Scene): Stage | null {
   const canvas = el("canvas", { id: "scene-canvas", tabindex: 0, "aria-label": "The scene" });
   place.append(canvas);
@@ -121,7 +121,7 @@ function open(scene: Scene, began: number): void {
   };
   document.body.append(help.element);
   listenToKeys(table);
-  // At the end of the step all contacts have lit up: that is what one should see first.
+  // Begins at the end of the step, where all contacts have lit up.
   if (!location.hash) {
     session.showStep(firstBadStep(scene.header));
     store.set({ time: 1 });

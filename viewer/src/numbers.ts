@@ -1,4 +1,4 @@
-// Numbers for people.
+// Numbers as text for readers.
 
 export const grouped = (n: number): string => Math.round(n).toLocaleString("en-US");
 
@@ -16,7 +16,7 @@ export function inWords(n: number): string {
   return grouped(n);
 }
 
-/** A share as percent with as many nines as it has, such as 99.9992 %. */
+/** A fraction as percent, with all its leading nines and one digit more, such as 99.9992 %. */
 export function percent(part: number): string {
   if (part <= 0 || part >= 1) return `${100 * part} %`;
   const digits = Math.max(1, Math.ceil(-Math.log10(1 - part)) - 1);
@@ -35,12 +35,12 @@ export function scientific(x: number): string {
   return `${digits} × 10${raised}`;
 }
 
-/** `x` >= 0 with so many digits, read back never more than `x`: for times that are proven free before. */
+/** `x` >= 0 with `digits` digits, rounded down: a step that is proven free before `x` is free before this number. */
 export function roundedDown(x: number, digits: number): string {
   const text = x.toPrecision(digits);
   if (Number(text) <= x) return text;
   const [mantissa, power] = x.toExponential(digits - 1).split("e");
-  // One less in the last digit; 1.00000 becomes .999999, which has one digit more behind the point.
+  // One less in the last digit. 1.00000 becomes .999999, with one digit more behind the point.
   const unit = Number(power) - (digits - 1);
   const less = Number(mantissa.replace(".", "")) - 1;
   const below = less < 10 ** (digits - 1) ? `${10 * less + 9}e${unit - 1}` : `${less}e${unit}`;

@@ -1,4 +1,4 @@
-// A click in the scene selects the contact below it.
+// Selects the contact at the place of a click in the scene.
 import type { Session } from "./session";
 import type { Stage } from "./view3d/stage";
 import { mix, type Vec3 } from "./vectors";
@@ -19,7 +19,7 @@ export function contactAt(session: Session, stage: Stage, x: number, y: number):
     const place = (at: Float32Array): Vec3 => [at[3 * k], at[3 * k + 1], at[3 * k + 2]];
     const seen = stage.project(mix(place(start), place(end), time));
     if (!seen) continue;
-    // Steps of two pixels: among those that are as near, the one in front.
+    // Distances count in steps of two pixels; of contacts at the same distance the one in front is taken.
     const distance = Math.round(Math.hypot(seen.x - x, seen.y - y) / 2) * 2;
     if (distance < bestDistance || (distance === bestDistance && seen.depth < bestDepth)) {
       best = i;

@@ -1,4 +1,4 @@
-// The state made whole: which step is shown, which contacts are listed, which pair is selected.
+// Objects that follow from the state: the step that is shown, the listed contacts, the selected pair.
 import { Pair } from "./scene/pair";
 import { listed } from "./scene/filter";
 import type { Scene } from "./scene/scene";
@@ -19,7 +19,7 @@ export const kFilterKeys: Key[] = [
 
 export class Session {
   view: StepView;
-  /** Contacts as the list shows them. */
+  /** The listed contacts, in the order of the list. */
   rows: Uint32Array = new Uint32Array();
   pair: Pair | null = null;
 
@@ -51,7 +51,7 @@ export class Session {
       this.store.set({ step: kept, selected: -1, isolated: false, brush: [0, 1], loop: [0, 1], time: 0 });
   }
 
-  /** Shows a contact alone, just as its features touch. */
+  /** Selects a contact and shows it alone, at its time. */
   select(contact: number): void {
     if (contact < 0) return;
     const pair = new Pair(this.scene, this.view.step, contact);
@@ -70,7 +70,7 @@ export class Session {
     this.store.set({ selected: -1, isolated: false, loop: [0, 1], panel: "contacts" });
   }
 
-  /** The next or the previous contact of the list. */
+  /** Selects the next contact of the list (1) or the previous one (-1). */
   move(by: number): void {
     if (this.rows.length === 0) return;
     const place = this.rows.indexOf(this.store.now.selected);

@@ -1,26 +1,26 @@
-// What the page shows, in one place: panels and drawing follow it, keys and pointers change it.
+// The state of the page, in one place: panels and drawing follow it, keys and pointers change it.
 
 export type Theme = "dark" | "light";
 export type Up = "y" | "z";
 export type Panel = "contacts" | "pair" | "sieve";
 export type SortKey = "time" | "kind" | "features" | "object";
 
-/** What is on or off. */
+/** The parts of the state that are on or off. */
 export type Switch = "smooth" | "edges" | "marks" | "normals" | "features" | "xray" | "unresolvedOnly" | "panelOpen";
 
 export interface ViewState {
   step: number;
-  /** Time in the step, 0 to 1. */
+  /** The time in the step, in [0, 1]. */
   time: number;
   playing: boolean;
-  /** Playing goes round between these times. */
+  /** The times between which the page plays again and again. */
   loop: [number, number];
-  /** A contact by its place among those of all steps; -1: none. */
+  /** The selected contact, by its place among those of all steps; -1: none. */
   selected: number;
-  /** The selected pair alone. */
+  /** Whether only the selected pair is drawn, with its surroundings. */
   isolated: boolean;
   brush: [number, number];
-  /** Place in the header's kinds; -1: all. */
+  /** The filter's kind, by its place in the header's kinds; -1: all. */
   kind: number;
   object: number;
   vertex: number;
@@ -36,7 +36,7 @@ export interface ViewState {
   normals: boolean;
   features: boolean;
   xray: boolean;
-  /** Which way of the mesh is shown upward. */
+  /** The axis of the mesh that points up in the drawing. */
   up: Up;
 }
 
@@ -81,7 +81,7 @@ export class Store {
     return this.state;
   }
 
-  /** Tells those who asked for one of the keys that changed. */
+  /** Changes the state, and calls the listeners of the keys that have changed. */
   set(change: Partial<ViewState>): void {
     const changed = (Object.keys(change) as Key[]).filter((key) => this.state[key] !== change[key]);
     if (changed.length === 0) return;
@@ -93,7 +93,7 @@ export class Store {
     this.set({ [key]: !this.state[key] });
   }
 
-  /** Calls at once, and after each change of one of the keys. */
+  /** Calls the listener at once, and after each change of one of the keys. */
   follow(keys: Key[], listener: Listener): void {
     this.listeners.push({ keys: new Set(keys), listener });
     listener();

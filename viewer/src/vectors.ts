@@ -1,4 +1,4 @@
-// Three numbers as a vector.
+// Vectors of three numbers.
 export type Vec3 = [number, number, number];
 
 export const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];

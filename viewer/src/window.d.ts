@@ -1,4 +1,4 @@
-// What the page shows of itself to tests, and to who looks with the browser's tools.
+// The objects of the page that tests, and users of the browser's tools, can reach.
 import type { Session } from "./session";
 import type { Stage } from "./view3d/stage";
 

@@ -1,4 +1,4 @@
-// The page of an audit: a strip of all frames, and what was found in each.
+// The page of an audit: a strip of all frames, and the pairs in each.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser } from "playwright-core";
@@ -7,7 +7,7 @@ import { Folder, obj, sheet } from "./command";
 
 const folder = new Folder();
 const kFrames = 12;
-/** The sheet that falls is through the other one in these. */
+/** The frames in which the falling sheet passes through the other one. */
 const kThrough = [6, 7, 8];
 let browser: Browser;
 
@@ -74,7 +74,7 @@ void test("each frame has the pairs that the command found, at their places", as
     shown.filter(({ intersections }) => intersections > 0).map(({ frame }) => frame),
     kThrough,
   );
-  // Weights have sixteen bits, places twenty-four.
+  // Weights are stored with sixteen bits, positions with twenty-four.
   for (const { off } of shown) assert.ok(off < 1e-3, `${off}`);
   assert.deepEqual(faults, []);
 });

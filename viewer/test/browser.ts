@@ -1,4 +1,4 @@
-// Debian's Chromium without a window, drawing in software; what goes wrong on a page is kept.
+// Opens pages in Debian's Chromium without a window, drawing in software, and collects their faults.
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { after } from "node:test";
@@ -8,17 +8,17 @@ const executablePath = process.env.TAMIS_CHROMIUM ?? "/usr/bin/chromium";
 const pictures = process.env.TAMIS_SCREENSHOTS;
 
 const launched: Browser[] = [];
-// One page for all files that a browser opens: a page for each would be a process for each, which starts with nothing.
+// A browser opens all files in one page: with a page for each, each would have a process that starts with empty caches.
 const pages = new Map<Browser, Page>();
 const kViewport = { width: 960, height: 540 };
 
-// One left open by a test that fails would keep the tests from ending.
+// A browser that a failing test leaves open would keep the tests from ending.
 after(() => Promise.all(launched.map((browser) => browser.close())));
 
-/** Closed after the last test of the file. */
+/** Starts a browser, which is closed after the last test of the file. */
 export async function launch(...flags: string[]): Promise<Browser> {
   const args = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...flags];
-  // A third of the drawing; no test looks at single pixels of an edge.
+  // Saves a third of the time to draw; no test looks at single pixels of an edge.
   args.push("--webgl-antialiasing-mode=none", "--disable-gpu-compositing");
   // A test may run as root in a container, where Chromium's sandbox cannot be set up.
   args.push("--no-sandbox");
@@ -43,8 +43,8 @@ async function emptyPage(browser: Browser, options?: BrowserContextOptions): Pro
 }
 
 /**
- * Opens a file as a double click would, and waits until it is shown. What the browser showed before is gone, unless one
- * of the two has options of its own.
+ * Opens a file as a double click would, and waits until it is shown. It takes the place of the file that the browser
+ * showed before, unless one of the two has options.
  */
 export async function open(
   browser: Browser,
@@ -53,7 +53,7 @@ export async function open(
   options?: BrowserContextOptions,
 ): Promise<Opened> {
   const page = await emptyPage(browser, options);
-  // Drawn in software, a million contacts take their time where other tests run beside this one.
+  // Drawing a million contacts in software takes long if other tests run at the same time.
   page.setDefaultTimeout(120000);
   const faults: string[] = [];
   page.on("console", (message) => {
@@ -72,7 +72,7 @@ export async function open(
   return { page, faults };
 }
 
-/** After the drawing has come to rest. */
+/** Waits until the drawing no longer changes. */
 export async function settled(page: Page): Promise<void> {
   await page.evaluate(
     () =>
@@ -89,7 +89,7 @@ export async function settled(page: Page): Promise<void> {
   );
 }
 
-/** Kept for looking at, where a folder for that is given. */
+/** Saves a picture of the page, if TAMIS_SCREENSHOTS names a folder. */
 export async function picture(page: Page, name: string): Promise<void> {
   if (!pictures) return;
   mkdirSync(pictures, { recursive: true });

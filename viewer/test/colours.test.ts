@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { colourOfTime, kObjectColours } from "../src/colours";
 
-// Where Tamis itself has them; tests run in viewer/.
+// The file in which Tamis has them; tests run in viewer/.
 const source = readFileSync(join("..", "io", "output", "colours.cpp"), "utf8");
 
 function coloursIn(name: string): number[][] {
@@ -15,7 +15,7 @@ function coloursIn(name: string): number[][] {
   return Array.from({ length: numbers.length / 3 }, (_, i) => numbers.slice(3 * i, 3 * i + 3));
 }
 
-// Bug: a colour is changed here or there, and two pictures of one step disagree.
+// Bug: a colour is changed in one place only, and two pictures of one step differ.
 void test("times have the colours that glTF and pictures give them", () => {
   const steps = coloursIn("kPlasma");
   assert.ok(steps.length > 2);

@@ -32,7 +32,7 @@ export class Folder {
     writeFileSync(this.file(name), text);
   }
 
-  /** Throws unless the command ends with the expected exit code. Arguments may not hold blanks. */
+  /** Runs the command; throws unless it ends with the expected exit code. Arguments may not contain blanks. */
   run(line: string, expected = 0): string {
     const { status, stdout, stderr } = spawnSync(command!, line.split(" "), {
       cwd: this.path,
@@ -43,7 +43,7 @@ export class Folder {
     return stdout;
   }
 
-  /** The contacts of a step as the command's table has them. */
+  /** Returns the contacts of a step from the command's table. */
   contacts(arguments_: string): Row[] {
     this.run(`contacts ${arguments_} --out rows.csv`);
     const [, ...lines] = readFileSync(this.file("rows.csv"), "utf8").trim().split("\n");
@@ -56,12 +56,12 @@ export class Folder {
   }
 }
 
-/** OBJ text of vertices and of what joins them. */
+/** Returns the OBJ text of vertices and elements. */
 export function obj(vertices: number[][], rest: string): string {
   return `${vertices.map((v) => `v ${v.join(" ")}`).join("\n")}\n${rest}\n`;
 }
 
-/** A wavy sheet of n x n squares at height z, and the triangles between its vertices, numbered from `first`. */
+/** Returns a wavy sheet of n x n squares at height z: its vertices, numbered from `first`, and its triangles. */
 export function sheet(n: number, z: number, wave: number, first: number): { vertices: number[][]; faces: string } {
   const vertices: number[][] = [];
   const faces: string[] = [];

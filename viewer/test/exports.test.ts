@@ -15,7 +15,7 @@ let end: number[][];
 before(() => {
   const low = sheet(9, 0, 0.08, 0);
   const high = sheet(7, 0.4, -0.11, low.vertices.length);
-  // A rod and a loose point, and far from the origin, where floats are coarse.
+  // With a rod and a loose point, far from the origin, where floats are coarse.
   const extra = [
     [0.3, 0.3, 0.5],
     [0.6, 0.7, 0.6],
@@ -54,7 +54,7 @@ function readGlb(name: string): { gltf: Gltf; points: (accessor: number) => Floa
   return { gltf, points };
 }
 
-// Bug: a viewer refuses the file, or reads it in its own way.
+// Bug: a viewer refuses the file, or reads something else.
 void test("glTF is what the Khronos validator accepts", async () => {
   for (const verb of ["view", "contacts"]) {
     folder.run(`${verb} start.obj end.obj --out step.glb`);
@@ -65,7 +65,7 @@ void test("glTF is what the Khronos validator accepts", async () => {
   }
 });
 
-// Bug: the morph target is not the motion that was decided, or contacts sit elsewhere.
+// Bug: the morph target is not the motion of the question, or contacts have other places.
 void test("glTF moves every vertex from the start to the end, and holds every contact", () => {
   folder.run("view start.obj end.obj --out step.glb");
   const { gltf, points } = readGlb("step.glb");
@@ -91,7 +91,7 @@ void test("glTF moves every vertex from the start to the end, and holds every co
   );
 });
 
-// Bug: a file that is valid, and yet is nothing to look at: no animation that moves it, or extras that a reader drops.
+// Bug: a valid file that shows nothing: no animation moves it, or it has extras that readers drop.
 void test("three.js loads the glTF, and its animation plays the motion", async () => {
   folder.run("view start.obj end.obj --out step.glb");
   const bytes = readFileSync(folder.file("step.glb"));

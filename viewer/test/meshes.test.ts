@@ -1,4 +1,4 @@
-// Meshes and browsers that are not the usual ones: each opens, or says why not.
+// Unusual meshes and browsers: each page opens, or says why not.
 import assert from "node:assert/strict";
 import { statSync } from "node:fs";
 import { after, before, test } from "node:test";
@@ -53,7 +53,7 @@ void test("one triangle, no contact", async () => {
   assert.deepEqual(faults, []);
 });
 
-// Bug: a mesh without triangles has no surface, and the page expects one.
+// Bug: the page expects a surface, which a mesh without triangles does not have.
 void test("only rods", async () => {
   const ends = [
     [-1, 0, 0],
@@ -76,7 +76,7 @@ void test("only points, none of which moves", async () => {
   assert.deepEqual(faults, []);
 });
 
-// Bug: positions are quantised over the box of all vertices, used or not.
+// Bug: positions are quantised over the box of all vertices, unused ones included.
 void test("huge coordinates, and a vertex that nothing uses far away", async () => {
   const corners = [
     [1e300, 0, 0],
@@ -90,8 +90,8 @@ void test("huge coordinates, and a vertex that nothing uses far away", async () 
   assert.deepEqual(faults, []);
 });
 
-// Bug: what takes a microsecond a contact for a thousand of them takes minutes for a million; or the arguments of a
-// function are a million numbers.
+// Bug: code that is fast for a thousand contacts takes minutes for a million, or calls a function with a million
+// arguments.
 void test(`${part} million contacts open`, async () => {
   const n = 1000 * Math.sqrt(part);
   const lines: string[] = [];
@@ -99,7 +99,7 @@ void test(`${part} million contacts open`, async () => {
   for (const layer of [0, 1])
     for (let i = 0; i < n; ++i) {
       const x = i / n;
-      // Slightly tilted, so that contacts come at different times.
+      // Slightly tilted, so that contacts have different times.
       vertices.push(layer ? [x, 0, 1] : [0, x, 0], layer ? [x, 1, 1.2] : [1, x, 0.3]);
       lines.push(`l ${vertices.length - 1} ${vertices.length}`);
     }
@@ -116,7 +116,7 @@ void test(`${part} million contacts open`, async () => {
   assert.deepEqual(faults, []);
 });
 
-// Bug: a sort, or a string, for each triangle.
+// Bug: the page sorts, or makes a string, for each triangle.
 void test(`${part} million triangles open`, async () => {
   const cells = 500 * Math.sqrt(part);
   const low = sheet(cells, 0, 0.02, 0);

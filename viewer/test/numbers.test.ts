@@ -1,4 +1,4 @@
-// Numbers as people read them.
+// Numbers as text for readers.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { roundedDown } from "../src/numbers";
@@ -13,7 +13,7 @@ void test("a time that is proven free before is never rounded up", () => {
   assert.equal(roundedDown(1, 6), "1.00000");
 });
 
-// Bug: below a power of ten a digit is lost, or the number falls to a tenth.
+// Bug: just below a power of ten a digit is lost, or the number is ten times too small.
 void test("a carry is taken back", () => {
   assert.equal(roundedDown(1 - 2 ** -53, 6), "0.999999");
   assert.equal(roundedDown(0.00099999999, 3), "0.000999");
@@ -30,7 +30,7 @@ void test("what is rounded down is the nearest below", () => {
     const text = roundedDown(x, digits);
     const back = Number(text);
     assert.ok(back <= x, `${text} > ${x}`);
-    // Tiny numbers have fewer digits than are asked for.
+    // Subnormal doubles have fewer digits than are asked for.
     if (x > 1e-290) assert.ok(x - back <= 1.0001 * x * 10 ** (1 - digits), `${text} is far below ${x}`);
   }
 });

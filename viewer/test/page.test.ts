@@ -1,4 +1,4 @@
-// The page of one step: what it shows is what the command found, and everything on it does what it says.
+// The page of one step: it shows the command's answer, and each control does what it says.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
@@ -12,7 +12,7 @@ let browser: Browser;
 let rows: Row[];
 
 before(async () => {
-  // A wavy sheet falls through another one; both are crumpled, so that contacts come one after the other.
+  // A wavy sheet falls through another; both are crumpled, so that contacts have different times.
   const write = (name: string, height: number): void => {
     const low = sheet(14, 0, 0.08, 0);
     const high = sheet(11, height, -0.11, low.vertices.length);
@@ -40,7 +40,7 @@ const selectedVertices = (page: Page): Promise<number[]> =>
 const key = (row: Pick<Row, "kind" | "vertices" | "toiLower" | "toiUpper">): string =>
   [row.kind, ...row.vertices, row.toiLower, row.toiUpper].join(" ");
 
-// Bug: the page decodes a column wrongly, so that it shows other contacts than were found.
+// Bug: the page decodes a column wrongly, and shows other contacts than the command found.
 void test("holds every contact with the doubles of the table", async () => {
   const { page, faults } = await openStep();
   const shown = await page.evaluate(() => {
@@ -61,7 +61,7 @@ void test("holds every contact with the doubles of the table", async () => {
   assert.deepEqual(faults, []);
 });
 
-// Bug: the counts of the page and of the command drift apart.
+// Bug: the counts of the page and of the command differ.
 void test("shows the counts of --json, and asks nothing of any server", async () => {
   const json = JSON.parse(folder.run("contacts above.obj below.obj --json")) as {
     contacts: Record<string, number>;
@@ -95,7 +95,7 @@ void test("the slider moves the scene through the step", async () => {
   assert.ok(!start.equals(middle) && !middle.equals(end) && !start.equals(end));
 });
 
-// Bug: play stands still, or runs past the end.
+// Bug: play does not advance, or runs past the end.
 void test("plays through the step and begins again", async () => {
   const { page } = await openStep();
   await page.locator("#time").fill("0.98");
@@ -107,7 +107,7 @@ void test("plays through the step and begins again", async () => {
   assert.equal((await state(page)).playing, false);
 });
 
-// Bug: the brush keeps other contacts than those between its ends.
+// Bug: the brush chooses other contacts than those between its ends.
 void test("the brush keeps the contacts between two times", async () => {
   const { page } = await openStep();
   const box = (await page.locator(".histogram").boundingBox())!;
@@ -150,7 +150,7 @@ void test("a click on a contact in the scene selects that pair", async () => {
   const { page } = await openStep();
   const spot = await page.evaluate(() => {
     const { session, stage } = window.tamis!;
-    // The page shows the step's end first.
+    // The page begins at the end of the step.
     const { end } = session.view.marks;
     const seen = [...session.rows].map((i) => {
       const k = 3 * (i - session.view.step.first);
@@ -203,7 +203,7 @@ void test("first contact and what stops the step in one click each", async () =>
   assert.ok((await page.textContent("#toast"))?.includes(String(limiting.toiLower)));
 });
 
-// Bug: a link shows something else to the one who gets it.
+// Bug: a link shows another view than its sender's.
 void test("the hash restores time, selection, filter and camera", async () => {
   const { page } = await openStep();
   await page.click(".row >> nth=5");
@@ -226,7 +226,7 @@ void test("the hash restores time, selection, filter and camera", async () => {
   a.forEach((x, i) => {
     assert.ok(Math.abs(x - b[i]) < 1e-4, `eye ${a.join(" ")} against ${b.join(" ")}`);
   });
-  // What no page wrote must do no harm.
+  // A hash that no page wrote must do no harm.
   const { faults } = await openStep("#t=x&selected=99999999&eye=1,2&brush=3,1&panel=no&step=-4");
   assert.equal((await state(page)).selected, -1);
   assert.deepEqual(faults, []);
@@ -254,7 +254,7 @@ void test("every key of the list is taken, and ? shows them", async () => {
   assert.deepEqual(faults, []);
 });
 
-// Bug: on a phone the panels hide the scene, or each other; a theme has letters on a ground of their own colour.
+// Bug: on a phone the panels hide the scene or each other; a theme has text in the colour of its background.
 for (const colorScheme of ["light", "dark"] as const)
   void test(`fits a phone and follows the system's theme: ${colorScheme}`, async () => {
     const phone = { viewport: { width: 390, height: 844 }, colorScheme, hasTouch: true };

@@ -1,4 +1,4 @@
-// The page of a single frame: it shows what passes through what, and has no time.
+// The page of a single frame: it shows intersections, and has no time.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
@@ -10,7 +10,7 @@ const folder = new Folder();
 let browser: Browser;
 
 before(async () => {
-  // Two wavy sheets at nearly one height.
+  // Two wavy sheets at nearly the same height.
   const low = sheet(9, 0, 0.1, 0);
   const high = sheet(7, 0.02, -0.1, low.vertices.length);
   folder.write("pose.obj", obj([...low.vertices, ...high.vertices], `${low.faces}\n${high.faces}`));
@@ -45,13 +45,13 @@ void test("holds the intersections of the table, at their places", async () => {
     shown.map(({ vertices }) => vertices.join(",")),
     lines,
   );
-  // Weights have sixteen bits.
+  // Weights are stored with sixteen bits.
   for (const { off } of shown) assert.ok(off < 1e-4, `${off}`);
   assert.equal(await page.getAttribute("#count", "data-count"), String(lines.length));
   assert.deepEqual(faults, []);
 });
 
-// Bug: times, and a motion, that a single frame does not have.
+// Bug: the page shows times and a motion, which a single frame does not have.
 void test("says what it shows, and shows no time", async () => {
   folder.run("view pose.obj --out pose.html");
   const { page, faults } = await open(browser, folder.file("pose.html"));

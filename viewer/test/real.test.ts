@@ -1,4 +1,4 @@
-// Recorded frames: the page of a large step is small enough, quick enough, and right.
+// The page of a large recorded step is small enough, fast enough, and right.
 import assert from "node:assert/strict";
 import { existsSync, statSync } from "node:fs";
 import { join } from "node:path";
@@ -9,7 +9,7 @@ import { Folder } from "./command";
 const frames = join(process.env.TAMIS_DATA ?? "", "frames");
 const skip = existsSync(frames) ? false : "no recorded frames: TAMIS_DATA names no folder with them";
 
-// Bug: an object for each contact, or a buffer written anew each frame.
+// Bug: the page makes an object for each contact, or writes a buffer anew in each frame.
 void test("cloth-ball with all its contacts: size, draw calls, work a frame", { skip }, async () => {
   const folder = new Folder();
   const ball = join(frames, "cloth-ball");
@@ -32,7 +32,7 @@ void test("cloth-ball with all its contacts: size, draw calls, work a frame", { 
   });
   console.log(`cloth-ball: open after ${cost.openedIn.toFixed(0)} ms, ${cost.cpu.toFixed(1)} ms a frame`);
   assert.ok(cost.drawCalls <= 8, `${cost.drawCalls} draw calls`);
-  // A thirtieth of a second for the page's own work; drawing itself is the graphics card's.
+  // A thirtieth of a second for the page's own work, without the drawing, which is the graphics card's.
   assert.ok(cost.cpu < 33, `${cost.cpu} ms a frame`);
   await picture(page, "cloth-ball");
   await page.click("#stops");

@@ -1,13 +1,13 @@
-// The frames of an audited motion: bad ones stand out, and a click goes to the one below it.
+// The strip of an audit's frames: bad frames stand out, and a click shows the frame at its place.
 import { button, Drawing, el, themed } from "../dom";
 import { counted } from "../numbers";
 import type { Strip } from "../scene/header";
 import type { Session } from "../session";
 
-/** The place of the frame at which a step of the scene ends. */
+/** The number of the frame at which a step of the scene ends. */
 const frameOf = (strip: Strip, step: number): number => strip.steps.indexOf(step);
 
-/** The frame that the scene holds and that is nearest to a place. */
+/** The frame nearest to `frame` that the scene holds. */
 function nearestShown(strip: Strip, frame: number): number {
   let nearest = -1;
   strip.steps.forEach((step, i) => {
@@ -22,7 +22,7 @@ function describe(strip: Strip, frame: number): string {
   return `frame ${frame}, ${strip.names[frame]}: ${found.join(", ")}${absent}`;
 }
 
-/** Bars that grow from the middle: intersections of each frame upward, contacts of the step to it downward. */
+/** Draws bars from the middle: for each frame its intersections upward, the contacts of the step to it downward. */
 function drawBars(context: CanvasRenderingContext2D, strip: Strip, width: number, height: number): void {
   const wide = width / strip.steps.length;
   const middle = Math.round(height / 2);
@@ -43,7 +43,7 @@ function drawBars(context: CanvasRenderingContext2D, strip: Strip, width: number
   bars(strip.contacts, themed("--accent"), false);
 }
 
-/** Goes from bad frame to bad frame, of those that the scene holds. */
+/** Shows the next bad frame that the scene holds; after the last one the first. */
 function showNextBad(session: Session, strip: Strip): void {
   const now = frameOf(strip, session.store.now.step);
   const isBad = (i: number): boolean => strip.steps[i] >= 0 && strip.intersections[i] + strip.contacts[i] > 0;

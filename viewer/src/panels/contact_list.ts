@@ -1,4 +1,4 @@
-// The contacts as a table that draws only the rows one sees; filters above it.
+// The table of contacts, of which only visible rows are drawn, with filters above it.
 import { colourOfTime, css } from "../colours";
 import { el } from "../dom";
 import { objectsOf } from "../scene/filter";
@@ -8,7 +8,7 @@ import { kFilterKeys, type Session } from "../session";
 import type { SortKey } from "../store";
 
 const kRowHeight = 30;
-/** Browsers stop at some 30 million pixels; beyond, the scroll bar moves by more than a row. */
+/** In pixels, as browsers stop at some 30 million. In higher lists the scroll bar moves by several rows at a time. */
 const kTallest = 8_000_000;
 
 const kColumns: { key: SortKey; label: string; title: string }[] = [
@@ -85,7 +85,7 @@ export class ContactList {
     this.drawRows();
   }
 
-  /** First row that is seen. */
+  /** The first visible row. */
   private get top(): number {
     const { rows } = this.session;
     const range = this.spacer.clientHeight - this.scroller.clientHeight;

@@ -1,4 +1,4 @@
-// How far apart the pair is along the normal, over the step, with the bracket magnified below.
+// Plots the pair's gap along the normal over the step, with the bracket magnified below.
 import { colourOfTime, css } from "../colours";
 import { Drawing, el, themed } from "../dom";
 import { scientific } from "../numbers";
@@ -71,7 +71,7 @@ export class GapPlot {
   }
 }
 
-/** Three fifths of the axis are the bracket's surroundings, so that one sees where it ends. */
+/** Draws the bracket over two fifths of the width, the time before and after it over the rest. */
 function drawBracket(pair: Pair, context: CanvasRenderingContext2D, width: number, height: number): void {
   const [low, high] = [0.3 * width, 0.7 * width];
   const top = 16;

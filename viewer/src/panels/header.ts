@@ -1,4 +1,4 @@
-// What is shown, what was found, and the two questions one asks first.
+// The header: what the page shows, what was found, and buttons for the two most frequent questions.
 import { button, el } from "../dom";
 import { counted, grouped, roundedDown } from "../numbers";
 import type { Actions } from "../actions";
@@ -128,7 +128,7 @@ export function tools(session: Session, actions: Actions): HTMLElement {
 
 export function tabs(session: Session): HTMLElement {
   const { store } = session;
-  // What each stage had to look at is not kept of every frame.
+  // Audits do not keep the counts of stages for every frame.
   const panels = session.scene.header.strip
     ? (["contacts", "pair"] as const)
     : (["contacts", "pair", "sieve"] as const);

@@ -1,4 +1,4 @@
-// How many contacts begin when: bars in the colours of time, and a brush over them.
+// The histogram of times of impact: bars in the colours of time, and a brush over them.
 import { colourOfTime, css } from "../colours";
 import { Drawing, themed } from "../dom";
 import type { Session } from "../session";
@@ -56,7 +56,7 @@ export class Histogram {
         store.set({ brush: [Math.min(this.dragFrom, to), Math.max(this.dragFrom, to)] });
     });
     this.element.addEventListener("pointerup", (event) => {
-      // A click without a drag goes to that time, and gives the whole step back.
+      // A click without a drag sets the time, and widens the brush to the whole step.
       if (this.dragFrom !== null && Math.abs(this.timeAt(event) - this.dragFrom) <= 0.004)
         store.set({ time: this.timeAt(event), brush: [0, 1], playing: false });
       this.dragFrom = null;
@@ -71,7 +71,7 @@ export class Histogram {
       if (count === 0) return;
       const middle = (i + 0.5) / kBins;
       const inBrush = (i + 1) / kBins > brush[0] && i / kBins < brush[1];
-      // Square roots: single contacts stay visible beside thousands.
+      // Heights are square roots, so that single contacts are visible beside thousands.
       const high = Math.max(2, Math.sqrt(count / most) * (height - 6));
       context.globalAlpha = inBrush ? (middle <= time ? 1 : 0.55) : 0.15;
       context.fillStyle = css(colourOfTime(middle));

@@ -1,4 +1,4 @@
-// The selected pair: what it is, when it touches, how it moves before, at and after.
+// The panel of the selected pair: its features, its time of impact, and its motion before, at and after that.
 import { button, el } from "../dom";
 import { scientific } from "../numbers";
 import type { Pair } from "../scene/pair";

@@ -1,10 +1,10 @@
-// The pair alone at one time, seen along the plane of contact: the normal points up.
+// A sketch of the pair alone at one time, seen along the plane of contact: the normal points up.
 import { css, kFirstFeature, kSecondFeature, type Rgb } from "../colours";
 import { Drawing, themed } from "../dom";
 import type { Pair } from "../scene/pair";
 import { add, cross, dot, subtract, times, type Vec3 } from "../vectors";
 
-/** Seen from a little above, so that a face is no line. */
+/** The view is from a little above the plane, so that a face does not look like a line. */
 const kTilt = 0.42;
 
 export class PairSketch {
@@ -57,11 +57,11 @@ export class PairSketch {
   }
 
   private projection(pair: Pair, width: number, height: number): (point: Vec3) => [number, number] {
-    // The side from which the first feature comes is up.
+    // Up is the side from which the first feature comes.
     const up = times(pair.gap(0) < 0 ? -1 : 1, pair.normal);
     const right = pair.tangent;
     const depth = cross(right, up);
-    // The eye goes along with the contact: only the motion of one feature against the other is seen.
+    // The view moves with the contact, so that only the relative motion of the features is seen.
     const centre = times(0.5, add(pair.firstPoint(this.time), pair.secondPoint(this.time)));
     const scale = (0.46 * Math.min(width, 1.6 * height)) / pair.size;
     return (point) => {

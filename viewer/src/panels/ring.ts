@@ -1,4 +1,4 @@
-// A ring around the selected contact, so that one finds it in the scene from afar.
+// A ring around the selected contact, by which it is found from afar.
 import { el } from "../dom";
 import type { Session } from "../session";
 import type { Stage } from "../view3d/stage";
@@ -10,7 +10,7 @@ export class Ring {
     stage.drawn.push(() => {
       const { pair, store } = session;
       const place = pair && !store.now.isolated ? pair.firstPoint(store.now.time) : null;
-      // Near by, the pair itself shows where it is.
+      // From near, the pair itself is seen.
       const isFar = place !== null && pair !== null && pair.size * stage.pixelsAt(place) < 40;
       const seen = isFar ? stage.project(place) : null;
       this.element.hidden = seen === null;

@@ -1,4 +1,4 @@
-// The sieve: how many pairs each stage still has to look at, from all that there are to those that touch.
+// The sieve: the number of pairs that enter each stage, from all pairs of the mesh to those that touch.
 import { el } from "../dom";
 import { grouped, inWords, percent } from "../numbers";
 import type { Session } from "../session";
@@ -6,7 +6,7 @@ import { SievePicture, stageColour } from "./sieve_picture";
 import { contactsOf } from "../scene/scene";
 import { isPose, nounOf, type SceneHeader, type Stage } from "../scene/header";
 
-/** What each stage does; pairs that enter it are counted. */
+/** For the pairs that enter a stage, what they do there. */
 const kStages: Record<string, string> = {
   boxes: "have boxes that meet while they move",
   slab: "go into the slab clip: does an axis keep them apart?",
@@ -27,7 +27,7 @@ function rowsOf(header: SceneHeader, step: number): Row[] {
   const { points, faces, edges } = header.mesh;
   const { stages, contacts } = header.steps[step];
   const row = (stage: Stage, explained: string, total: number): Row => ({ ...stage, explained, total });
-  // Pairs of an edge and a face are counted as those of a vertex and a face are.
+  // Pairs of an edge and a face are counted under vf.
   const all = isPose(header)
     ? { name: "all pairs", vf: edges * faces, ee: 0 }
     : { name: "all pairs", vf: points * faces, ee: (edges * (edges - 1)) / 2 };

@@ -1,8 +1,8 @@
-// The sieve true to scale: an area for the pairs of each stage, and what the first leaves once more under a glass.
+// The sieve true to scale: areas are numbers of pairs. The pairs that the first stage leaves are drawn again, larger.
 import { Drawing, themed } from "../dom";
 import { inWords } from "../numbers";
 
-/** Colours of what is left, from the first stage to the contacts. */
+/** Colours of the pairs that are left, from the first stage to the contacts. */
 export function stageColour(place: number, stages: number): string {
   if (place === 0) return themed("--stage-all");
   if (place === stages - 1) return themed("--stage-contacts");
@@ -26,7 +26,7 @@ export class SievePicture {
     this.canvas = this.drawing.canvas;
   }
 
-  /** Pairs before each stage, the contacts last. */
+  /** The numbers of pairs that enter each stage; the contacts last. */
   show(totals: number[]): void {
     this.totals = totals;
     this.drawing.refresh();

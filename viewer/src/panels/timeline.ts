@@ -1,4 +1,4 @@
-// The dock below: play, the slider through the step under its histogram, and the frames of a sequence.
+// The dock below the scene: play, the slider of time under the histogram, and the frames of a sequence.
 import { button, Drawing, el, themed } from "../dom";
 import { contactsOf } from "../scene/scene";
 import { grouped, timeText } from "../numbers";
@@ -57,7 +57,7 @@ export function togglePlay({ store }: Session): void {
   store.set({ playing: !playing, time: !playing && atEnd ? loop[0] : time });
 }
 
-/** A strip with the contacts and the free time of every step, a slider over it, and where one is. */
+/** A strip with contacts and free time of every step, a slider over it, and the present place. */
 function sequence(session: Session): HTMLElement[] {
   const { store, scene } = session;
   const { steps, names } = scene.header;

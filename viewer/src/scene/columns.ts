@@ -1,6 +1,6 @@
-// Columns of numbers as io/view/columns.hpp writes them: bytes of one significance together, neighbours as differences.
+// Reads columns of numbers as io/view/columns.hpp writes them: bytes of one significance together, differences of rows.
 
-/** Elements of `size` bytes, of which all lowest bytes come first, then all next ones. */
+/** Reads elements of `size` bytes: the lowest bytes of all elements come first, then the next bytes of all, ... */
 export function fromPlanes(bytes: Uint8Array, size: number): Uint8Array<ArrayBuffer> {
   const count = bytes.length / size;
   const result = new Uint8Array(bytes.length);
@@ -11,7 +11,7 @@ export function fromPlanes(bytes: Uint8Array, size: number): Uint8Array<ArrayBuf
   return result;
 }
 
-/** Rows of `width` integers, each of which was written as its folded difference from the row above. */
+/** Reads rows of `width` integers, each written as its folded difference from the row above. */
 export function fromDifferences(bytes: Uint8Array, width: number): Uint32Array {
   const column = new Uint32Array(fromPlanes(bytes, 4).buffer);
   for (let i = 0; i < column.length; ++i) {

@@ -1,15 +1,15 @@
-// The contacts of all steps, or the intersections of a pose, a column a property.
+// The contacts of all steps, or the intersections of a pose: a column for each property.
 import type { PairKind } from "./header";
 import type { SceneFile } from "./scene_file";
 
-/** Doubles whose bits are those of `lower` plus `width`. */
+/** Returns the doubles whose bits, as integers, are the sum of those of `lower` and `width`. */
 function upperEnds(lower: Float64Array, width: BigUint64Array): Float64Array {
   const bits = new BigUint64Array(lower.slice().buffer);
   for (let i = 0; i < bits.length; ++i) bits[i] += width[i];
   return new Float64Array(bits.buffer);
 }
 
-/** Weights that add up to 1, of which all but the first are stored. */
+/** Adds the first weight to the stored ones: all weights add up to 1. */
 const completed = (stored: number[]): number[] => [1 - stored.reduce((sum, w) => sum + w, 0), ...stored];
 
 export class Contacts {
@@ -18,7 +18,7 @@ export class Contacts {
   readonly kind: Uint8Array;
   readonly toiLower: Float64Array;
   readonly toiUpper: Float64Array;
-  /** Vertices, and weights, of a pair of the kind that has most. */
+  /** The numbers of vertices, and of stored weights, of the kind of pair that has most. */
   private readonly vertexWidth: number;
   private readonly weightWidth: number;
   private readonly certainty: Uint8Array;
@@ -70,24 +70,24 @@ export class Contacts {
     return this.vertices[this.vertexWidth * i + k];
   }
 
-  /** Those that are stored, to 1/65535: u and v; of an edge and a face the edge's, then u and v. */
+  /** The stored weights, to 1/65535: u and v; for an edge and a face the edge's parameter, then u and v. */
   storedWeights(i: number): number[] {
     const at = this.weightWidth * i;
     return Array.from(this.weights.subarray(at, at + this.weightWidth), (w) => w / 65535);
   }
 
-  /** Weights of the first feature's vertices. */
+  /** The weights of the first feature's vertices. */
   firstWeights(i: number): number[] {
     return completed(this.storedWeights(i).slice(0, this.kindOf(i).first - 1));
   }
 
-  /** Weights of the second feature's vertices: they follow the first one's. */
+  /** The weights of the second feature's vertices, which are stored after the first one's. */
   secondWeights(i: number): number[] {
     const { first, second } = this.kindOf(i);
     return completed(this.storedWeights(i).slice(first - 1, first + second - 2));
   }
 
-  /** Unit up to 1/32767 a component. */
+  /** A unit vector, each component to 1/32767. */
   normal(i: number): [number, number, number] {
     return [this.normals[3 * i] / 32767, this.normals[3 * i + 1] / 32767, this.normals[3 * i + 2] / 32767];
   }

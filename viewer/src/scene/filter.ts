@@ -1,4 +1,4 @@
-// Which contacts are listed and drawn, and in what order.
+// Chooses and sorts the contacts that are listed and drawn.
 import type { ViewState } from "../store";
 import type { StepView } from "./step_view";
 
@@ -17,7 +17,7 @@ function accepts({ scene }: StepView, filter: Filter): (contact: number) => bool
   };
 }
 
-/** The objects of the first and of the second feature. */
+/** Returns the objects of the first and of the second feature. */
 export function objectsOf(
   contact: number,
   objectOfVertex: Int32Array,
@@ -27,7 +27,7 @@ export function objectsOf(
   return [objectOfVertex[contacts.vertex(contact, 0)], objectOfVertex[contacts.vertex(contact, first)]];
 }
 
-/** Contacts that the filter accepts, sorted; times break ties. */
+/** Returns the contacts that the filter accepts, sorted; times break ties. */
 export function listed(view: StepView, filter: Filter): Uint32Array {
   const { contacts, objectOfVertex } = view.scene;
   const kept = view.byTime.filter(accepts(view, filter));

@@ -8,9 +8,9 @@ export class Pair {
   readonly toiLower: number;
   readonly toiUpper: number;
   readonly normal: Vec3;
-  /** Longest edge of the features, or what they move, in the drawing's unit. */
+  /** The longest edge of the features, or of points how far they move; in the drawing's unit. */
   readonly size: number;
-  /** Times at which one sees the pair apart, and past its contact. */
+  /** Times at which the pair is visibly apart before the contact, and visibly past it. */
   readonly before: number;
   readonly after: number;
   private readonly firstWeights: number[];
@@ -62,18 +62,18 @@ export class Pair {
     );
   }
 
-  /** Along the normal from the second feature's contact point to the first's; its sign changes as they pass. */
+  /** The distance along the normal from the second contact point to the first; it changes sign as they pass. */
   gap(time: number): number {
     return dot(this.normal, subtract(this.firstPoint(time), this.secondPoint(time)));
   }
 
-  /** Velocity of the first contact point against the second's. */
+  /** The velocity of the first contact point relative to the second's. */
   get relativeVelocity(): Vec3 {
     const apart = (time: number): Vec3 => subtract(this.firstPoint(time), this.secondPoint(time));
     return subtract(apart(1), apart(0));
   }
 
-  /** A direction that lies in the plane of contact, along an edge where there is one. */
+  /** A unit vector in the plane of contact, along an edge if there is one. */
   get tangent(): Vec3 {
     const edges = [...this.edgesOf(this.second), ...this.edgesOf(this.first)].map(([a, b]) =>
       subtract(this.at(b, this.toi), this.at(a, this.toi)),
@@ -104,7 +104,7 @@ export class Pair {
     return Math.max(1e-6, ...moved);
   }
 
-  /** How long the features take to pass each other by a third of their size; all of the step if they do not. */
+  /** The time in which the contact points move by a third of the pair's size relative to each other; at most 1. */
   private visibleTime(): number {
     const speed = length(this.relativeVelocity);
     return speed > 0 ? Math.min((0.35 * this.size) / speed, 1) : 1;

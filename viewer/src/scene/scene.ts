@@ -1,5 +1,5 @@
-// The mesh, its frames, and the contacts of each step between two of them; or a single frame and its intersections, as
-// a step that stands still.
+// The mesh, its frames, and the contacts of each step between two frames; or a single frame with its intersections, as
+// a step without motion.
 import { Contacts } from "./contacts";
 import { endsOf, type SceneHeader, type StepHeader } from "./header";
 import { SceneFile } from "./scene_file";
@@ -15,20 +15,20 @@ export interface Step {
   /** Its contacts are first .. first + count. */
   first: number;
   count: number;
-  /** Three coordinates of the drawing a vertex. */
+  /** Three coordinates a vertex, those of the drawing. */
   start: Float32Array;
   end: Float32Array;
 }
 
 export class Scene {
-  /** Which way of the mesh the drawing shows upward. */
+  /** The axis of the mesh that points up in the drawing. */
   up: Up = "y";
   readonly header: SceneHeader;
   readonly contacts: Contacts;
   readonly faces: Uint32Array;
   readonly rods: Uint32Array;
   readonly loosePoints: Uint32Array;
-  /** -1: nothing uses the vertex. */
+  /** -1: no feature uses the vertex. */
   readonly objectOfVertex: Int32Array;
   private readonly frames: Uint32Array[];
   private readonly centre: [number, number, number];
@@ -57,7 +57,7 @@ export class Scene {
     return this.header.steps.length;
   }
 
-  /** Length of the mesh's unit in the drawing. */
+  /** The length of the mesh's unit in the drawing. */
   get unit(): number {
     return 2 / (kGridCells * this.header.grid.spacing);
   }
@@ -68,7 +68,7 @@ export class Scene {
     return { index, header: this.header.steps[index], first, count: this.firstOfStep[index + 1] - first, start, end };
   }
 
-  /** A direction of the mesh as the drawing has it: turned about x where z is up. */
+  /** A direction of the mesh in the drawing's coordinates: turned about x if z is up. */
   direction([x, y, z]: Vec3): Vec3 {
     return this.up === "y" ? [x, y, z] : [x, z, -y];
   }
@@ -93,7 +93,7 @@ export class Scene {
     return [start, end];
   }
 
-  /** A flat object that stands still is a floor. */
+  /** The axis that points up: z if a floor (a flat object without motion) lies across z and none across y, else y. */
   private guessUp(): Up {
     const [first, second = first] = this.frames;
     const { objects } = this.header.mesh;

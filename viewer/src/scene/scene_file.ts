@@ -1,4 +1,4 @@
-// Reads what io/view/scene_bytes.cpp writes: text in the page, base64 of zlib of header and columns.
+// Reads the scene that io/view/scene_bytes.cpp writes into the page: header and columns, compressed by zlib, as base64.
 import { fromDifferences, fromPlanes } from "./columns";
 import type { SceneHeader } from "./header";
 
@@ -33,7 +33,7 @@ export class SceneFile {
     return fromDifferences(this.bytes(name, 4), width);
   }
 
-  /** The frames, each written as its difference from the one before it. */
+  /** The frames, each written as its difference from the frame before. */
   frames(): Uint32Array[] {
     const width = 3 * this.header.mesh.vertices;
     const bytes = this.bytes("positions", 4);

@@ -1,15 +1,15 @@
-// One step made ready to be drawn and listed.
+// The data to draw and list one step.
 import type { Scene, Step } from "./scene";
 import type { MarkData } from "../view3d/marks";
 
-/** Larger than any time: in no contact. */
+/** A time larger than any in the step, for vertices without contact. */
 const kNever = 2;
 
 export class StepView {
   readonly marks: MarkData;
-  /** For each vertex the first time of a contact it takes part in. */
+  /** For each vertex the first time of its contacts. */
   readonly firstTouch: Float32Array;
-  /** Contacts by their time of impact. */
+  /** The contacts, sorted by time of impact. */
   readonly byTime: Uint32Array;
 
   constructor(
@@ -23,13 +23,13 @@ export class StepView {
     this.byTime.sort((a, b) => toiLower[a] - toiLower[b] || a - b);
   }
 
-  /** The first contact that is certain, or the first of all. */
+  /** The first certified contact, or if there is none the first of all; -1 if there are none. */
   get firstContact(): number {
     const certain = this.byTime.find((i) => !this.scene.contacts.isUnresolved(i));
     return certain ?? this.limiting;
   }
 
-  /** Before its bracket nothing touches; -1 if the step is free. */
+  /** The contact with the earliest bracket, before which no pair touches; -1 if there are none. */
   get limiting(): number {
     return this.byTime.length > 0 ? this.byTime[0] : -1;
   }

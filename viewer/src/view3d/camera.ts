@@ -1,4 +1,4 @@
-// The camera: turned by mouse, touch or keys, and flown to what was chosen.
+// The camera: mouse, touch and keys turn it, and it flies to chosen contacts.
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
@@ -44,7 +44,7 @@ export class Camera {
     else this.flight = { from: this.viewpoint, to, began: performance.now() };
   }
 
-  /** Turns by angles in radians. */
+  /** Turns around the target by angles in radians. */
   turn(yaw: number, pitch: number): void {
     const { eye, target } = this.viewpoint;
     const arm = eye.sub(target);
@@ -66,7 +66,7 @@ export class Camera {
     });
   }
 
-  /** Shifts eye and target by parts of the distance between them. */
+  /** Shifts eye and target, in fractions of the distance between them. */
   shift(right: number, up: number): void {
     const { eye, target } = this.viewpoint;
     const distance = eye.distanceTo(target);
@@ -79,12 +79,12 @@ export class Camera {
 
   resize(width: number, height: number): void {
     this.camera.aspect = width / height;
-    // A tall window must show as much to the left and right as a wide one shows above and below.
+    // In a tall window the field of view is wider, so that its width shows as much as a wide window's height.
     this.camera.fov = width < height ? 52 : 36;
     this.camera.updateProjectionMatrix();
   }
 
-  /** Once a frame. */
+  /** Moves the camera; called once a frame. */
   update(): void {
     if (this.flight) this.step(this.flight);
     const distance = this.camera.position.distanceTo(this.controls.target);
@@ -98,7 +98,7 @@ export class Camera {
     const part = Math.min((performance.now() - began) / (1000 * kFlightSeconds), 1);
     const eased = part * part * (3 - 2 * part);
     const target = from.target.clone().lerp(to.target, eased);
-    // The distance changes by factors, so that a far flight does not rush at its end.
+    // The distance changes by factors, so that a long flight does not end too fast.
     const [near, far] = [from.eye.distanceTo(from.target), to.eye.distanceTo(to.target)];
     const direction = from.eye.clone().sub(from.target).divideScalar(near);
     direction.lerp(to.eye.clone().sub(to.target).divideScalar(far), eased);

@@ -1,4 +1,4 @@
-// Contacts as round marks that move with the features they lie on; two draw calls, however many there are.
+// Draws contacts as round marks that move with their features, in two draw calls for any number of contacts.
 import { BufferAttribute, BufferGeometry, GreaterDepth, Group, LessEqualDepth, Points, ShaderMaterial } from "three";
 import { kMotion } from "./shaders";
 import type { SharedUniforms } from "./shared";
@@ -45,7 +45,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-/** Places of contacts at both ends of the step, and their times. */
+/** The positions of contacts at both ends of the step, and their times. */
 export interface MarkData {
   start: Float32Array;
   end: Float32Array;
@@ -83,7 +83,7 @@ export class Marks extends Group {
     this.geometry.setAttribute("end", new BufferAttribute(data.end, 3));
     this.geometry.setAttribute("toi", new BufferAttribute(data.toi, 1));
     this.geometry.setAttribute("flags", new BufferAttribute(data.flags, 1));
-    // Many contacts: small marks, or they hide each other.
+    // Marks of many contacts are small, or they would hide each other.
     const [few, many] = [200, 50000];
     const crowd = Math.min(Math.max(Math.log(data.toi.length / few) / Math.log(many / few), 0), 1);
     for (const points of this.passes) points.material.uniforms.diameter.value = 9 - 6 * crowd;

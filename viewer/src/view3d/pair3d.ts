@@ -1,4 +1,4 @@
-// The selected pair: both features filled, their edges and vertices thick, their ways through the step, the normal.
+// Draws the selected pair: both features filled, thick edges and vertices, their paths through the step, the normal.
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, Color } from "three";
 import { kFirstFeature, kSecondFeature, type Rgb } from "../colours";
 import type { Pair } from "../scene/pair";
@@ -23,13 +23,13 @@ function segments(strokes: Stroke[]): SegmentData {
     data.fromEnd.set(from[1], 3 * i);
     data.toStart.set(to[0], 3 * i);
     data.toEnd.set(to[1], 3 * i);
-    // The shader reckons with light, not with what stands on the screen.
+    // Converts to linear colours, with which the shader computes.
     data.colour.set([...colour.map((c) => Math.round(255 * (c / 255) ** 2.2)), alpha], 4 * i);
   });
   return data;
 }
 
-/** A dot: a segment of no length, as wide as it is thick. */
+/** Adds a dot: a segment of length 0, drawn as wide as it is thick. */
 const dotAt = (ends: [Vec3, Vec3], colour: Rgb): Stroke => ({ from: ends, to: ends, colour, alpha: 255 });
 
 export class Pair3d extends Group {
@@ -88,7 +88,7 @@ export class Pair3d extends Group {
     for (const [feature, colour] of features) if (feature.length === 3) this.faces.add(triangle(colour));
   }
 
-  /** Moves what is filled. */
+  /** Moves the filled features. */
   moveTo(time: number): void {
     const { pair } = this;
     if (!pair) return;

@@ -1,4 +1,4 @@
-// Segments of a width in pixels, all in one draw call: rods, features, normals, trails.
+// Draws segments with a width in pixels in one draw call: rods, features, normals, trails.
 import {
   BufferAttribute,
   InstancedBufferAttribute,
@@ -49,7 +49,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-/** Ends of segments at the start and at the end of the step, three numbers each; colours four bytes each. */
+/** Both ends of segments at the start and at the end of the step, three numbers each; colours of four bytes. */
 export interface SegmentData {
   fromStart: Float32Array;
   fromEnd: Float32Array;
@@ -61,7 +61,7 @@ export interface SegmentData {
 export interface SegmentStyle {
   /** In CSS pixels. */
   width: number;
-  /** How much nearer than it is, in normalised depth. */
+  /** By how much segments are drawn nearer to the eye than they are, in normalised depth. */
   nearness?: number;
   hidden?: boolean;
   opacity?: number;

@@ -1,15 +1,15 @@
-// What all programs share: a vertex on its straight way through the step, and the scale of time.
+// Code that shaders share: a vertex on its straight line through the step, and the colour scale of time.
 import { colourOfTime } from "../colours";
 import { DataTexture, LinearFilter, RGBAFormat, SRGBColorSpace, UnsignedByteType } from "three";
 
-/** Position at `time`; `position` is the one at the start, as three.js names it. */
+/** The position at `time`; `position`, as three.js names it, is the position at the start. */
 export const kMotion = /* glsl */ `
 attribute vec3 end;
 uniform float time;
 vec3 moved() { return mix(position, end, time); }
 `;
 
-/** The scale of time as a texture: s = time of impact. */
+/** The colour scale of time as a texture, whose coordinate s is the time of impact. */
 export function timeScale(): DataTexture {
   const width = 256;
   const pixels = new Uint8Array(4 * width);

@@ -1,22 +1,22 @@
-// Uniforms that every material of the scene holds: set once, seen by all.
+// Uniforms that all materials of the scene share.
 import { Color, Vector2, Vector3, type IUniform } from "three";
 import { timeScale } from "./shaders";
 
 export interface SharedUniforms {
   [name: string]: IUniform;
   time: IUniform<number>;
-  /** Times of impact that the brush holds. */
+  /** The times of impact between which contacts are chosen by the brush. */
   brush: IUniform<Vector2>;
   scale: IUniform;
   /** Width and height in pixels of the drawing. */
   size: IUniform<Vector2>;
   pixelRatio: IUniform<number>;
-  /** Around which the surface stays while a pair is isolated, and how far; 0: all of it. */
+  /** While a pair is isolated, the surface is drawn only within focusRadius of focus; 0: everywhere. */
   focus: IUniform<Vector3>;
   focusRadius: IUniform<number>;
-  /** Around the selected pair, in pixels of the drawing: x, y and radius; radius 0: none. */
+  /** The circle around the selected pair, in pixels of the drawing: x, y and radius; radius 0: none. */
   window: IUniform<Vector3>;
-  /** What is nearer to the eye than this hides the pair. */
+  /** Surface in the circle that is nearer to the eye than this depth hides the pair, and is cut away. */
   windowDepth: IUniform<number>;
   ink: IUniform<Color>;
 }

@@ -1,4 +1,4 @@
-// The drawing: mesh, contacts, the selected pair, and a frame when something has changed.
+// The drawing of mesh, contacts and selected pair. A frame is drawn only when something has changed.
 import { Color, Points, Scene as Scene3d, ShaderMaterial, BufferGeometry, BufferAttribute, Vector3 } from "three";
 import { WebGLRenderer } from "three";
 import type { Pair } from "../scene/pair";
@@ -38,7 +38,7 @@ void main() {
 export interface FrameCost {
   drawCalls: number;
   triangles: number;
-  /** Milliseconds that the page's own code took for the last frame. */
+  /** The time that the page's own code took for the last frame, in milliseconds. */
   cpu: number;
   frames: number;
 }
@@ -46,7 +46,7 @@ export interface FrameCost {
 export class Stage {
   readonly camera: Camera;
   readonly cost: FrameCost = { drawCalls: 0, triangles: 0, cpu: 0, frames: 0 };
-  /** Called before each frame with the seconds since the last; true asks for another. */
+  /** Called before each frame with the seconds since the last frame; returns whether to draw another one. */
   beforeFrame: (seconds: number) => boolean = () => false;
   /** Called after each frame. */
   readonly drawn: (() => void)[] = [];
@@ -60,7 +60,7 @@ export class Stage {
   private readonly rods = new Segments(this.shared, { width: 1.6 });
   private readonly loose: Points<BufferGeometry, ShaderMaterial>;
   private readonly pair3d = new Pair3d(this.shared);
-  /** The pair that is shown within the scene. */
+  /** The selected pair, if it is drawn within the scene; null if it is isolated. */
   private shown: Pair | null = null;
   private requested = false;
   private last = 0;
@@ -149,7 +149,7 @@ export class Stage {
     this.request();
   }
 
-  /** Where a point is drawn, in CSS pixels of the canvas, with its depth; null behind the eye. */
+  /** The place at which a point is drawn, in CSS pixels of the canvas, with its depth; null behind the eye. */
   project(point: Vec3): { x: number; y: number; depth: number } | null {
     const at = new Vector3(...point).project(this.camera.camera);
     if (at.z > 1 || at.z < -1) return null;
@@ -157,7 +157,7 @@ export class Stage {
     return { x: ((at.x + 1) / 2) * clientWidth, y: ((1 - at.y) / 2) * clientHeight, depth: at.z };
   }
 
-  /** Length on the canvas, in CSS pixels, of one unit of the drawing at a place. */
+  /** The length of one unit of the drawing at a place, in CSS pixels on the canvas. */
   pixelsAt(point: Vec3): number {
     const { camera } = this.camera;
     const distance = camera.position.distanceTo(new Vector3(...point));
@@ -190,7 +190,7 @@ export class Stage {
     if (again) this.request();
   }
 
-  /** Opens what hides the pair. */
+  /** Cuts away the surface that hides the pair. */
   private placeWindow(): void {
     const { shown, shared } = this;
     const place = shown?.firstPoint(shared.time.value) ?? [0, 0, 0];

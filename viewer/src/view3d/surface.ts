@@ -1,4 +1,4 @@
-// The triangles: shaded on both sides, lit up where they have been touched.
+// Draws the triangles, shaded on both sides, and lit up at vertices that have been in contact.
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, LineSegments, Mesh, ShaderMaterial } from "three";
 import { kObjectColours } from "../colours";
 import type { Scene, Step } from "../scene/scene";
@@ -95,7 +95,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-/** Sums of the triangles' normals, each as long as its area demands. */
+/** Unit normals of the vertices: means of their triangles' normals, weighted by area. */
 function vertexNormals(faces: Uint32Array, positions: Float32Array): Float32Array {
   const normals = new Float32Array(positions.length);
   for (let f = 0; f < faces.length; f += 3) {
@@ -132,7 +132,7 @@ export function edgesOf(faces: Uint32Array, vertices: number): Uint32Array {
   return new Uint32Array(edges);
 }
 
-/** 1 for vertices whose triangles are small, 0 for large ones: on these a colour at a corner would say too much. */
+/** 1 for vertices whose triangles are small, 0 for large ones, of which a contact's colour would light up too much. */
 function fineness(faces: Uint32Array, positions: Float32Array): Float32Array {
   const longest = new Float32Array(positions.length / 3);
   for (let f = 0; f < faces.length; f += 3)
@@ -149,7 +149,7 @@ function fineness(faces: Uint32Array, positions: Float32Array): Float32Array {
 
 function tints(scene: Scene): Uint8Array {
   const colours = new Uint8Array(3 * scene.objectOfVertex.length);
-  // Colours go to the shader as they count for light, not as they stand on a screen.
+  // Converts to linear colours, with which the shader computes.
   const linear = kObjectColours.map((rgb) => rgb.map((c) => Math.round(255 * (c / 255) ** 2.2)));
   scene.objectOfVertex.forEach((object, v) => {
     if (object >= 0) colours.set(linear[object % linear.length], 3 * v);
@@ -193,7 +193,7 @@ export class Surface extends Group {
     this.add(mesh, this.edges);
   }
 
-  /** `firstTouch`: a time for each vertex, above 1 for those that are in no contact. */
+  /** Shows a step. `firstTouch`: for each vertex the time of its first contact, above 1 if it has none. */
   show(step: Step, firstTouch: Float32Array): void {
     const set = (name: string, array: Float32Array, width: number): void => {
       this.geometry.setAttribute(name, new BufferAttribute(array, width));
@@ -211,7 +211,7 @@ export class Surface extends Group {
     this.material.uniforms.smoothShading.value = on;
   }
 
-  /** See-through while only a part of it is shown. */
+  /** Draws the surface transparent, as while only a part of it is shown. */
   set faded(on: boolean) {
     this.material.transparent = on;
     this.material.depthWrite = !on;

@@ -59,8 +59,6 @@ function keepHash(session: Session, stage: Stage | null): void {
 
 function restore({ store, scene }: Session, stage: Stage | null): boolean {
   const { state, viewpoint } = fromHash(location.hash, scene.stepCount, scene.contacts.count);
-  // The step comes first: a new step resets what belongs to the old one.
-  store.set({ step: state.step });
   store.set(state);
   if (viewpoint && stage) stage.camera.jump(viewpoint);
   return viewpoint !== null;

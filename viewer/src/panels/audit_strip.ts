@@ -1,7 +1,7 @@
 // The strip of an audit's frames: bad frames stand out, and a click shows the frame at its place.
 import { button, Drawing, el, themed } from "../dom";
 import { counted } from "../numbers";
-import type { Strip } from "../scene/header";
+import { holdsBad, type Strip } from "../scene/header";
 import type { Session } from "../session";
 
 /** The number of the frame at which a step of the scene ends. */
@@ -46,8 +46,7 @@ function drawBars(context: CanvasRenderingContext2D, strip: Strip, width: number
 /** Shows the next bad frame that the scene holds; after the last one the first. */
 function showNextBad(session: Session, strip: Strip): void {
   const now = frameOf(strip, session.store.now.step);
-  const isBad = (i: number): boolean => strip.steps[i] >= 0 && strip.intersections[i] + strip.contacts[i] > 0;
-  const all = strip.steps.map((_, i) => i).filter(isBad);
+  const all = strip.steps.map((_, i) => i).filter((i) => holdsBad(strip, i));
   if (all.length > 0) session.showStep(strip.steps[all.find((i) => i > now) ?? all[0]]);
 }
 
@@ -90,6 +89,6 @@ export function auditStrip(session: Session, strip: Strip): HTMLElement[] {
     },
     { class: "next-bad", id: "next-bad" },
   );
-  next.disabled = !strip.steps.some((step, i) => step >= 0 && strip.intersections[i] + strip.contacts[i] > 0);
+  next.disabled = !strip.steps.some((_, i) => holdsBad(strip, i));
   return [next, el("div", { class: "lane" }, drawing.canvas), readout];
 }

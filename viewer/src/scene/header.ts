@@ -54,9 +54,13 @@ export const endsOf = ({ steps, names }: SceneHeader, step: number): [number, nu
 export const namesOf = (header: SceneHeader, step: number): string[] =>
   [...new Set(endsOf(header, step))].map((frame) => header.names[frame]);
 
+/** Whether the scene holds a frame, and the frame has intersections or its step has contacts. */
+export const holdsBad = (strip: Strip, frame: number): boolean =>
+  strip.steps[frame] >= 0 && strip.contacts[frame] + strip.intersections[frame] > 0;
+
 /** In an audit the first step that the scene holds and that ends at a bad frame; else the first step. */
 export function firstBadStep({ strip }: Pick<SceneHeader, "strip">): number {
-  const bad = strip?.steps.findIndex((step, i) => step >= 0 && strip.contacts[i] + strip.intersections[i] > 0) ?? -1;
+  const bad = strip?.steps.findIndex((_, frame) => holdsBad(strip, frame)) ?? -1;
   return bad < 0 ? 0 : strip!.steps[bad];
 }
 

@@ -53,8 +53,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except subprocess.CalledProcessError as failure:
-        print(failure.stdout or "", file=sys.stderr)
-        sys.exit(f"build_host.py: failed: {' '.join(failure.cmd)}")
+    ordinary.exit_with(main)

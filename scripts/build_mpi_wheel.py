@@ -6,7 +6,6 @@ MPI, which was found for BUILD, so it is not repaired. Exit code 77 if build_whe
 """
 
 import pathlib
-import subprocess
 import sys
 
 import build_wheel as ordinary
@@ -34,8 +33,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except subprocess.CalledProcessError as failure:
-        print(failure.stdout or "", file=sys.stderr)
-        sys.exit(f"build_mpi_wheel.py: failed: {' '.join(failure.cmd)}")
+    ordinary.exit_with(main)

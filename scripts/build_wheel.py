@@ -198,6 +198,15 @@ def make_user(work: pathlib.Path, wheel: pathlib.Path) -> None:
     install(work, python, "-c", REQUIREMENTS, *wanted)
 
 
+def exit_with(main) -> None:
+    """Run a script's main function and exit with its code; if a command fails, show its output and name it."""
+    try:
+        sys.exit(main())
+    except subprocess.CalledProcessError as failure:
+        print(failure.stdout or "", file=sys.stderr)
+        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: failed: {' '.join(failure.cmd)}")
+
+
 def main() -> int:
     if not sys.argv[1:] or sys.argv[1].startswith("-"):
         sys.exit(__doc__)
@@ -218,8 +227,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except subprocess.CalledProcessError as failure:
-        print(failure.stdout or "", file=sys.stderr)
-        sys.exit(f"build_wheel.py: failed: {' '.join(failure.cmd)}")
+    exit_with(main)

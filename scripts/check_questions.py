@@ -52,10 +52,10 @@ def python_methods(owner: str, *places: str) -> set[str]:
     return of(classes[owner])
 
 
-def python_functions(module: str, names: set[str]) -> set[str]:
-    """Return the names that the module exports, out of `names`."""
-    exported = ast.literal_eval(re.search(r"^__all__ = (\[.*?\])", text(module), re.DOTALL | re.MULTILINE)[1])
-    return names & set(exported)
+def python_functions(names: set[str]) -> set[str]:
+    """Return the names that the Python module exports, out of `names`."""
+    listed = re.search(r"^__all__ = (\[.*?\])", text("python/tamis/__init__.py"), re.DOTALL | re.MULTILINE)[1]
+    return names & set(ast.literal_eval(listed))
 
 
 def c_functions(prefix: str) -> set[str]:
@@ -99,7 +99,7 @@ def doors() -> dict[str, list[set[str]]]:
         ],
         "A pair, or a list of pairs": [
             of_pairs,
-            python_functions("python/tamis/__init__.py", of_pairs),
+            python_functions(of_pairs),
             c_functions(""),
         ],
     }

@@ -12,24 +12,20 @@ packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
           libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev libb64-dev libpng-dev)
 # Draws pictures; Debian has it for x86_64 only.
 [[ $(uname -m) != x86_64 ]] || packages+=(libembree-dev)
-if [[ ${1:-} == --tests ]]; then
-  packages+=(libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev libbullet-dev binutils valgrind clang-14
-             clang-format-14 clang-tidy-14 libclang-rt-14-dev chromium)
-  # Node from elsewhere than Debian has an npm of its own, and conflicts with Debian's.
-  command -v npm >/dev/null || packages+=(nodejs npm)
-fi
-if [[ ${1:-} == --python ]]; then
-  packages+=(python3-venv python3-dev)
-fi
-if [[ ${1:-} == --blender ]]; then
-  packages+=(blender python3-numpy)
-fi
-if [[ ${1:-} == --arm64 ]]; then
-  packages+=(g++-aarch64-linux-gnu qemu-user)
-fi
-if [[ ${1:-} == --bench ]]; then
-  packages+=(libbenchmark-dev libembree-dev libcgal-dev libbullet-dev libfcl-dev python3-matplotlib)
-fi
+case ${1:-} in
+  --tests)
+    packages+=(libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev
+               libbullet-dev binutils valgrind clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev chromium)
+    # Node from elsewhere than Debian has an npm of its own, and conflicts with Debian's.
+    command -v npm >/dev/null || packages+=(nodejs npm)
+    ;;
+  --python) packages+=(python3-venv python3-dev) ;;
+  --blender) packages+=(blender python3-numpy) ;;
+  --arm64) packages+=(g++-aarch64-linux-gnu qemu-user) ;;
+  --bench) packages+=(libbenchmark-dev libembree-dev libcgal-dev libbullet-dev libfcl-dev python3-matplotlib) ;;
+  "") ;;
+  *) echo "setup: no option is called $1: use --tests, --python, --blender, --arm64 or --bench" >&2; exit 2 ;;
+esac
 
 is_installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }
 

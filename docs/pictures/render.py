@@ -92,8 +92,8 @@ def colour(base, heat):
     return np.array([np.interp(heat, [0, 0.5, 1], stops[:, channel]) for channel in range(3)])
 
 
-def triples(rows, form="%.6g"):
-    return ",".join("<" + ",".join(form % x for x in row) + ">" for row in rows)
+def triples(rows):
+    return ",".join("<" + ",".join("%.6g" % x for x in row) + ">" for row in rows)
 
 
 def pov_scene(points, faces, heat, is_cloth, yaw, pitch, aspect):

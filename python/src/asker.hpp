@@ -61,9 +61,8 @@ class Asker {
  private:
   bool accepts(PairKind kind, const std::array<Index, 4>& v) const {
     const nb::tuple pair = nb::make_tuple(v[0], v[1], v[2], v[3]);
-    return truth_of(accepts_(static_cast<int>(kind), pair), [&] {
-      return "filter, asked about the pair " + nb::cast<std::string>(nb::repr(pair)) + ",";
-    });
+    return truth_of(accepts_(static_cast<int>(kind), pair),
+                    [&] { return "filter, asked about the pair " + nb::cast<std::string>(nb::repr(pair)) + ","; });
   }
 
   nb::object accepts_;

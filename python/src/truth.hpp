@@ -9,8 +9,8 @@
 
 namespace tamis::python {
 
-/// True or False, NumPy's too, as the user's function returned it. Throws InvalidOptions for any other object: a function
-/// without `return` returns None. `function()` begins the sentence. Call with the interpreter's lock held.
+/// True or False, NumPy's too, as the user's function returned it. Throws InvalidOptions for any other object: a
+/// function without `return` returns None. `function()` begins the sentence. Call with the interpreter's lock held.
 template <class Function>
 bool truth_of(const nanobind::object& answer, const Function& function) {
   bool is_true = false;

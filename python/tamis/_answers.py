@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from tamis._arrays import Doubles
-from tamis._tables._contacts import Contact, Contacts
-from tamis._tables._near import NearPair, NearPairs
-
-if TYPE_CHECKING:
-    from tamis import _core
+from tamis._tables._contacts import Contact
+from tamis._tables._near import NearPair
 
 
 class EarliestContact(NamedTuple):
@@ -31,13 +28,6 @@ class EarliestContact(NamedTuple):
     contact: Contact | None
 
 
-def earliest_of(found: _core._Earliest) -> EarliestContact:
-    """Return the compiled part's answer as a named tuple."""
-    lower, upper, rows = found
-    contacts = Contacts(rows)
-    return EarliestContact(lower, upper, contacts[0] if len(contacts) else None)
-
-
 class SafeStep(NamedTuple):
     """How far the step may go so that every pair keeps a fraction of its distance.
 
@@ -56,13 +46,6 @@ class SafeStep(NamedTuple):
     lower: float
     upper: float
     pair: NearPair | None
-
-
-def safe_step_of(found: _core._SafeStep) -> SafeStep:
-    """Return the compiled part's answer as a named tuple."""
-    lower, upper, rows = found
-    pairs = NearPairs(rows)
-    return SafeStep(lower, upper, pairs[0] if len(pairs) else None)
 
 
 class TruncatedStep(NamedTuple):

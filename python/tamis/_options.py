@@ -71,12 +71,12 @@ def make_options(
     rings: int = 1,
     group_count: int = 1,
 ) -> _core.Options:
-    """Return the options of a detector or world; `group_count` as in `set_groups`."""
+    """Return the options of a detector or world; `group_count` as in `_set_groups`."""
     options = _core.Options()
     options.set_isa(word(isa, "isa"))
     options.set_threads(whole(threads, "threads", advice=", 0 being all"))
     options.set_min_separation(number(min_separation, "min_separation"))
-    set_groups(options, groups, may_touch, radii, group_count)
+    _set_groups(options, groups, may_touch, radii, group_count)
     options.set_rings(whole(rings, "rings", least=1))
     if filter is not None:
         accepts = function(filter, "filter", "filter(kind, vertices)")

@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._answers import SafeStep, safe_step_of
+from tamis._answers import SafeStep
 from tamis._arrays import pair_list, rows
 from tamis._checks import number
 from tamis._errors import InvalidStep
 from tamis._tables._near import NearPairs
+from tamis._tables._table import bracket_of
 
 
 def distance_of(kind: npt.ArrayLike, vertices: npt.ArrayLike, positions: npt.ArrayLike) -> NearPairs:
@@ -90,4 +91,4 @@ def safe_step(
         raise InvalidStep(f"vertices has {len(pair[1])} rows: give one pair, (4,)")
     both = rows(start, "start"), rows(end, "end")
     kept, d, until = number(keep, "keep"), number(min_separation, "min_separation"), number(latest, "latest")
-    return safe_step_of(_core.safe_step(*pair, *both, kept, d, until))
+    return SafeStep(*bracket_of(_core.safe_step(*pair, *both, kept, d, until), NearPairs))

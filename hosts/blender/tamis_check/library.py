@@ -27,14 +27,11 @@ def tamis() -> Any:
     try:
         import tamis as module
     except ImportError as error:
-        tags = [line[5:] for line in _lines("tamis-*.dist-info/WHEEL") if line.startswith("Tag: ")]
+        lines = [line for path in _WHEEL.glob("tamis-*.dist-info/WHEEL") for line in path.read_text().splitlines()]
+        tags = [line[5:] for line in lines if line.startswith("Tag: ")]
         here = f"Python {sys.version_info[0]}.{sys.version_info[1]} on {sys.platform}"
         built = f"for {', '.join(tags)}" if tags else "without the wheel of Tamis"
         raise Trouble(
             f"this add-on was built {built}, and Blender runs {here}: install a zip that was built for it ({error})"
         ) from None
     return module
-
-
-def _lines(pattern: str) -> list[str]:
-    return [line for path in _WHEEL.glob(pattern) for line in path.read_text().splitlines()]

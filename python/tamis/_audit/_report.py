@@ -37,7 +37,10 @@ class AuditReport:
 
     @property
     def is_free(self) -> bool:
-        """Whether all frames could be used, no frame has an intersection, and no step a contact. True is a proof."""
+        """Whether all frames could be used, and no intersections and contacts were found. True is a proof.
+
+        If `intersections` or `contacts` was False, it says nothing about these.
+        """
         return bool(self._facts["is_free"])
 
     @property

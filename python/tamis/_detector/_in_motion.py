@@ -7,13 +7,14 @@ from typing import overload
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._answers import EarliestContact, earliest_of
+from tamis._answers import EarliestContact
 from tamis._looking import Asked
 from tamis._mesh import Mesh
 from tamis._motion import Motion, motion
 from tamis._options import AtStart, query_options
 from tamis._paths._path import Path
 from tamis._tables._contacts import Contacts
+from tamis._tables._table import bracket_of
 
 
 class InMotion:
@@ -136,7 +137,8 @@ class InMotion:
             As in `contacts`.
         """
         own = query_options(min_separation, at_start, tolerance)
-        return earliest_of(self._detector.earliest(own, *motion(start, end, tolerance).native()))
+        found = self._detector.earliest(own, *motion(start, end, tolerance).native())
+        return EarliestContact(*bracket_of(found, Contacts))
 
     @overload
     def is_free(

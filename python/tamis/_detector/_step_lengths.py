@@ -5,11 +5,13 @@ from __future__ import annotations
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._answers import SafeStep, TruncatedStep, safe_step_of
+from tamis._answers import SafeStep, TruncatedStep
 from tamis._checks import shown, word
 from tamis._errors import InvalidOptions
 from tamis._motion import step_asked_to_keep
 from tamis._options import AtStart
+from tamis._tables._near import NearPairs
+from tamis._tables._table import bracket_of
 
 
 class StepLengths:
@@ -58,7 +60,8 @@ class StepLengths:
         InvalidOptions
             `keep` or another option is outside its range.
         """
-        return safe_step_of(self._detector.safe_step(*step_asked_to_keep(start, end, keep, min_separation, at_start)))
+        given = step_asked_to_keep(start, end, keep, min_separation, at_start)
+        return SafeStep(*bracket_of(self._detector.safe_step(*given), NearPairs))
 
     def truncate(
         self,

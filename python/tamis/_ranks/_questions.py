@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy.typing as npt
 
-from tamis._answers import EarliestContact, SafeStep, earliest_of, safe_step_of
+from tamis._answers import EarliestContact, SafeStep
 from tamis._arrays import Doubles
 from tamis._checks import whole
 from tamis._errors import Busy
@@ -17,6 +17,8 @@ from tamis._motion import step_asked, step_asked_to_keep
 from tamis._options import AtStart
 from tamis._ranks._together import Ranks
 from tamis._tables._contacts import Contacts
+from tamis._tables._near import NearPairs
+from tamis._tables._table import bracket_of
 
 if TYPE_CHECKING:
     from tamis import _core, _distributed
@@ -107,7 +109,8 @@ class Questions:
             The motion is free before its `toi_lower`, proven.
         """
         with self._turn():
-            return earliest_of(self._detector.earliest(*self._asked(start, end, min_separation, at_start)))
+            found = self._detector.earliest(*self._asked(start, end, min_separation, at_start))
+            return EarliestContact(*bracket_of(found, Contacts))
 
     def is_free(
         self,
@@ -162,7 +165,7 @@ class Questions:
         """
         with self._turn():
             asked = self._ranks.together(lambda: step_asked_to_keep(start, end, keep, min_separation, at_start))
-            return safe_step_of(self._detector.safe_step(*asked))
+            return SafeStep(*bracket_of(self._detector.safe_step(*asked), NearPairs))
 
     def _asked(
         self, start: npt.ArrayLike, end: npt.ArrayLike, min_separation: float | None, at_start: AtStart

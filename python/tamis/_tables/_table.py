@@ -109,6 +109,14 @@ class Table(Generic[Row]):
         return type(self), (self._table,)
 
 
+def bracket_of(
+    found: tuple[float, float, npt.NDArray[np.uint8]], table: Callable[[npt.NDArray[np.uint8]], Table[Row]]
+) -> tuple[float, float, Row | None]:
+    """Return the compiled part's answer with its only row, if it has one, as a row of the table."""
+    lower, upper, rows = found
+    return lower, upper, next(iter(table(rows)), None)
+
+
 def _as_rows(given: Any, dtype: np.dtype[np.void], name: str) -> npt.NDArray[np.void]:
     is_array = isinstance(given, np.ndarray) and given.ndim == 1
     if is_array and given.dtype == dtype:

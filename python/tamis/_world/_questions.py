@@ -8,6 +8,7 @@ from tamis import _core
 from tamis._arrays import Doubles
 from tamis._checks import number, whole
 from tamis._options import AtStart, query_options
+from tamis._tables._table import bracket_of
 from tamis._world._bodies import chains_of_each, numbers_of
 from tamis._world._tables import (
     BodyContacts,
@@ -16,9 +17,6 @@ from tamis._world._tables import (
     BodyStep,
     EarliestBodyContact,
     EarliestMany,
-    body_step_of,
-    earliest_many_of,
-    earliest_of,
 )
 
 
@@ -81,7 +79,8 @@ class Questions:
         EarliestBodyContact
             The motion is free before its `toi_lower`, proven.
         """
-        return earliest_of(self._world.earliest(query_options(min_separation, at_start, tolerance)))
+        found = self._world.earliest(query_options(min_separation, at_start, tolerance))
+        return EarliestBodyContact(*bracket_of(found, BodyContacts))
 
     def earliest_many(
         self,
@@ -122,7 +121,8 @@ class Questions:
         """
         named = numbers_of(bodies)
         asked = query_options(min_separation, at_start, tolerance)
-        return earliest_many_of(self._world.earliest_many(named, chains_of_each(motions, named), asked))
+        lower, upper, touching, rows = self._world.earliest_many(named, chains_of_each(motions, named), asked)
+        return EarliestMany(lower, upper, touching, BodyContacts(rows))
 
     def is_free(
         self,
@@ -176,7 +176,7 @@ class Questions:
             With ``at_start="fail"``, if a pair touches at t=0.
         """
         asked = query_options(min_separation, at_start, tolerance)
-        return body_step_of(self._world.safe_step(number(keep, "keep"), asked))
+        return BodyStep(*bracket_of(self._world.safe_step(number(keep, "keep"), asked), BodyNearPairs))
 
     def pairs_within(self, distance: float) -> BodyNearPairs:
         """Find every pair of features that are near each other at t=0.

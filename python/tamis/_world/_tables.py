@@ -145,26 +145,6 @@ class EarliestMany(NamedTuple):
         return free
 
 
-def earliest_of(found: _core._Earliest) -> EarliestBodyContact:
-    """Return the compiled part's answer as a named tuple."""
-    lower, upper, rows = found
-    contacts = BodyContacts(rows)
-    return EarliestBodyContact(lower, upper, contacts[0] if len(contacts) else None)
-
-
-def earliest_many_of(found: _core._EarliestMany) -> EarliestMany:
-    """Return the compiled part's answer as a named tuple."""
-    lower, upper, touching, rows = found
-    return EarliestMany(lower, upper, touching, BodyContacts(rows))
-
-
-def body_step_of(found: _core._SafeStep) -> BodyStep:
-    """Return the compiled part's answer as a named tuple."""
-    lower, upper, rows = found
-    pairs = BodyNearPairs(rows)
-    return BodyStep(lower, upper, pairs[0] if len(pairs) else None)
-
-
 class OfBodies(Table[Row]):
     """Tables of which each row is about two bodies."""
 

@@ -145,5 +145,5 @@ def pair_list(kind: npt.ArrayLike, vertices: npt.ArrayLike, error: type[Error]) 
     if len(kinds) not in (1, len(given)):
         raise error(f"kind has {len(kinds)} entries, vertices {len(given)} rows: give as many, or one kind for all")
     if kinds.max(initial=0) > 3 or kinds.min(initial=0) < 0:
-        raise error(f"kind holds {kinds[(kinds < 0) | (kinds > 3)][0]}, which is none: give a PairKind")
+        raise error(f"kind holds {kinds[(kinds < 0) | (kinds > 3)][0]}, which is no kind of pair: give a PairKind")
     return np.ascontiguousarray(np.broadcast_to(kinds, len(given)), dtype=np.uint8), given

@@ -6,7 +6,7 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Indices, indices, indices_or_none, pair_list
-from tamis._checks import LARGEST_INDEX, whole
+from tamis._checks import LARGEST_INDEX, instance, whole
 from tamis._errors import InvalidMesh
 
 
@@ -170,3 +170,8 @@ class Mesh:
 
     def __reduce__(self) -> tuple[type[Mesh], tuple[Indices, int, Indices, Indices]]:
         return Mesh, (self._faces, self.vertex_count, self._edges, self._points)
+
+
+def known_mesh(given: Mesh) -> Mesh:
+    """Return the argument if it is a `Mesh`, else raise `InvalidMesh`."""
+    return instance(given, Mesh, "mesh", "a tamis.Mesh, such as tamis.Mesh(faces)", InvalidMesh)

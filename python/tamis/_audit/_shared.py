@@ -9,16 +9,16 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Indices, indices
-from tamis._checks import instance, shown, word
+from tamis._checks import shown, word
 from tamis._errors import InvalidMesh
-from tamis._mesh import Mesh
+from tamis._mesh import Mesh, known_mesh
 
 Objects = Union[npt.ArrayLike, "dict[str, Any]"]
 
 
 def shared_mesh(mesh: Mesh, objects: Objects | None = None) -> _core.SharedMesh:
     """Return the mesh with the caller's objects; for None each connected part is an object, without a name."""
-    known = instance(mesh, Mesh, "mesh", "a tamis.Mesh, as of tamis.Mesh(faces)", InvalidMesh)
+    known = known_mesh(mesh)
     names: list[str] = []
     if isinstance(objects, dict):
         names = [word(name, "a name in objects") for name in objects]

@@ -79,7 +79,7 @@ def _roots(stage: Any, prims: Any) -> list[Any]:
     found = [stage.GetPrimAtPath(word(path, "a path in prims")) for path in prims]
     for path, prim in zip(prims, found):
         if not prim:
-            raise InvalidOptions(f"the stage has no prim at {path}: give a path that it has, as /World/Cloth")
+            raise InvalidOptions(f"the stage has no prim at {path}: give a path that it has, such as /World/Cloth")
     return found
 
 

@@ -9,12 +9,10 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import rows
-from tamis._checks import instance
 from tamis._detector._at_rest import AtRest
 from tamis._detector._in_motion import InMotion
 from tamis._detector._step_lengths import StepLengths
-from tamis._errors import InvalidMesh
-from tamis._mesh import Mesh
+from tamis._mesh import Mesh, known_mesh
 from tamis._options import Filter, Isa, make_options
 from tamis._statistics import Statistics
 from tamis._tables._contacts import Contacts
@@ -97,7 +95,7 @@ class Detector(InMotion, StepLengths, AtRest):
         rings: int = 1,
         is_cancelled: Callable[[], bool] | None = None,
     ) -> None:
-        known = instance(mesh, Mesh, "mesh", "a tamis.Mesh, as of tamis.Mesh(faces)", InvalidMesh)
+        known = known_mesh(mesh)
         options = make_options(
             threads=threads,
             min_separation=min_separation,

@@ -12,7 +12,7 @@ from tamis import _core
 from tamis._arrays import Doubles, Indices, doubles, indices, numbers, packed_rows, shape_text
 from tamis._checks import instance, word
 from tamis._errors import InvalidMesh, InvalidOptions, InvalidPath
-from tamis._mesh import Mesh
+from tamis._mesh import Mesh, known_mesh
 from tamis._options import Isa
 
 AT_REST = np.zeros((2, 3))
@@ -45,7 +45,7 @@ class Shape:
     __slots__ = ("_mesh", "_shape")
 
     def __init__(self, mesh: Mesh, points: npt.ArrayLike, *, isa: Isa = "best") -> None:
-        self._mesh = instance(mesh, Mesh, "mesh", "a tamis.Mesh, as of tamis.Mesh(faces)", InvalidMesh)
+        self._mesh = known_mesh(mesh)
         given = packed_rows(points, "points", InvalidMesh)
         self._shape = _core.Shape(self._mesh._mesh, given, word(isa, "isa"))
 
@@ -107,7 +107,7 @@ class Deforming:
 
 def known_shape(given: Shape) -> Shape:
     """Return the argument if it is a `Shape`, else raise."""
-    return instance(given, Shape, "shape", "a tamis.Shape, as of tamis.Shape(mesh, points)")
+    return instance(given, Shape, "shape", "a tamis.Shape, such as tamis.Shape(mesh, points)")
 
 
 def numbers_of(given: npt.ArrayLike) -> Indices:

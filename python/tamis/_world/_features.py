@@ -43,7 +43,7 @@ def _of_one_body(features: Indices, body: int, meshes: Meshes) -> Indices:
         given = meshes[body]
     except (KeyError, IndexError, TypeError):
         raise InvalidMesh(f"meshes has none for body {body}: give the mesh of each body that is in the table") from None
-    mesh = instance(given, Mesh, f"meshes[{body}]", "a tamis.Mesh, as of Shape.mesh", InvalidMesh)
+    mesh = instance(given, Mesh, f"meshes[{body}]", "a tamis.Mesh, such as Shape.mesh", InvalidMesh)
     places = np.where(features[:, 0] < mesh.vertex_count, features[:, 0], _NONE)
     counts = (features >= 0).sum(1)
     for count, find in ((2, mesh.find_edges), (3, mesh.find_faces)):

@@ -4,10 +4,10 @@
 #include <array>
 #include <limits>
 
+#include "lab/bounds/moving_points.hpp"
 #include "motion/pair_motion.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/axes.hpp"
-#include "numerics/scale.hpp"
 
 namespace tamis::lab {
 

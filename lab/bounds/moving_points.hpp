@@ -11,6 +11,9 @@
 
 namespace tamis::lab {
 
+/// Any finite double times its scale_below_one() is smaller than this.
+inline constexpr double kLargestScaled = 4;
+
 /// Positions times a power of two: the largest |coordinate| of the vertices in use lies in [1/2, 1), or as near to that
 /// as scale_below_one() brings it: below kLargestScaled.
 class MovingPoints {

@@ -3,8 +3,7 @@
 // differences have one strict sign at t=0 and at t=1, the features are apart during the whole step. Axes: the pair's
 // normal e x f, and its cross products with the edges, at t=0 and at t=1. Any axis is sound, however it is rounded.
 // We deviate: their axes may also be polynomials of time; DNF (the normal) and NCF (edge x normal) are those tests.
-// Error bound: error_bounds::kAxisProjection times the axis' largest component. Cost: 8 (VF) or 6 (EE) axes of
-// about 50.
+// Error bound: kAxisProjection times the axis' largest component. Cost: 8 (VF) or 6 (EE) axes of about 50.
 #pragma once
 #include "filters/filter.hpp"
 #include "motion/difference_corners.hpp"
@@ -21,6 +20,10 @@ struct Sat {
   }
 
  private:
+  /// The error of a difference projected on any axis, unit |axis|_max (D + E + F): three products of a factor off by
+  /// kInput, 3 (8 + 1), and sums 3 + 3; the difference of projections 2 * 3 more: below 42.
+  static constexpr double kAxisProjection = 48;
+
   /// Tests the axes that the features have at one time.
   template <PairKind kind, class T>
   static Mask<T> separates_along_frame(const PairMotion<T>& m, const Vec3<T>& e, const Vec3<T>& f) {
@@ -42,7 +45,7 @@ struct Sat {
     const auto at0 = range_of_differences<kind>(dot(axis, m.e.at0), dot(axis, m.f.at0), dot(axis, m.d.at0));
     const auto at1 = range_of_differences<kind>(dot(axis, m.e.at1), dot(axis, m.f.at1), dot(axis, m.d.at1));
     const T size = max(max(abs(axis.x), abs(axis.y)), abs(axis.z));
-    const T error = error_bounds::bound<T>(error_bounds::kAxisProjection, size * (m.size_d + m.size_e + m.size_f));
+    const T error = error_bounds::bound<T>(kAxisProjection, size * (m.size_d + m.size_e + m.size_f));
     return ((at0.low > error) & (at1.low > error)) | ((at0.high < -error) & (at1.high < -error));
   }
 };

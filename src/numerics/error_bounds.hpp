@@ -86,10 +86,6 @@ inline constexpr double kSideSlope = 97;
 // A difference projected on an axis with components in {-1,0,1}, unit D + E + F: 3 (kInput + 3) + 2 * 3 = 39.
 inline constexpr double kProjection = 48;
 
-// A difference projected on any axis, unit |axis|_max (D + E + F): three products of a factor off by kInput, 3 (8 + 1),
-// and sums 3 + 3; the difference of projections 2 * 3 more: below 42.
-inline constexpr double kAxisProjection = 48;
-
 // A corner of the two features' difference (a sum of up to three of e, f, d) on an axis that turns, beyond the
 // separation (at most 3 (D + E + F), or nothing is proven), unit D + E + F. The axis has components up to 1, its turn
 // r. At the time in question: 6 from positions, sums and at_time, so 3 (6 + 1) + 5 = 26, and the subtraction 3.
@@ -122,9 +118,9 @@ inline constexpr double kLength = 4;
 /// A computed length times this is no less than the length.
 inline constexpr double kLengthUp = 1 + kLength * unit_roundoff<double>;
 
-// A pair's distance along an axis between two unit vectors beyond a least one, unit D + E + F: a corner on the axis, as
-// kAxisProjection with kInput + 4: 57; halves and sums 4; the axis' length 5, and the least distance 4, of at most 3:
-// 27. Together 88.
+// A pair's distance along an axis between two unit vectors beyond a least one, unit D + E + F: a corner on the axis,
+// three products of a factor off by kInput + 4 and sums, 57; halves and sums 4; the axis' length 5, and the least
+// distance 4, of at most 3: 27. Together 88.
 inline constexpr double kTurningGap = 96;
 // The same, where the least distance is a part of that at t=0: kGap and kLength, 27 more.
 inline constexpr double kKeptGap = 128;

@@ -5,9 +5,6 @@
 
 namespace tamis {
 
-/// Any finite double times its scale_below_one() is smaller than this.
-inline constexpr double kLargestScaled = 4;
-
 /// The power of two that brings `size` into [1/2, 1), within [2^-1022, 2^1000]: a normal double, exact to multiply
 /// with. 1 where `size` is zero, infinite or NaN. Sizes from 2^1022 on stay at 1 or above.
 inline double scale_below_one(double size) {

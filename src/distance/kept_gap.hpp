@@ -14,8 +14,8 @@ class KeptGap {
     const T distance = TurningGap<kind, T>::length(gap);
     start_ = TurningGap<kind, T>::axis(T(0), gap);
     // Only pairs with this clearance are left out: for these advancement (keeps_distance_until) gives the same result.
-    const T clearance = error_bounds::constant<T>(error_bounds::kAdvanceClearance +
-                                                  error_bounds::kKeptGap * error_bounds::unit_roundoff<T>);
+    const T clearance =
+        constant<T>(error_bounds::kAdvanceClearance + error_bounds::kKeptGap * error_bounds::unit_roundoff<T>);
     kept_ = m.separation + fraction * max(distance + blur - m.separation, T(0)) +
             clearance * (m.size_d + m.size_e + m.size_f);
   }

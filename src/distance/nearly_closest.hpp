@@ -29,7 +29,7 @@ struct NearlyClosest {
   /// A sum of squares, made safe to divide by.
   template <class T>
   static T not_zero(const T& a) {
-    return max(a, error_bounds::constant<T>(error_bounds::underflow<T>));
+    return max(a, constant<T>(error_bounds::underflow<T>));
   }
 
   template <class T>

@@ -61,7 +61,7 @@ inline DirectionApart<T> direction_apart(const PairMotion<T>& m, const T& time) 
   const RestDistance<T> rest =
       rest_distance<kind>(at_time(m.e, time), at_time(m.f, time), at_time(m.d, time), m.size_d + m.size_e + m.size_f);
   const auto& [u, v, gap] = rest.closest;
-  const Mask<T> is_sure = (rest.low > T(0)) & (rest.low >= error_bounds::constant<T>(kSharp) * rest.distance);
+  const Mask<T> is_sure = (rest.low > T(0)) & (rest.low >= constant<T>(kSharp) * rest.distance);
   return {u, v, near_direction<kind>(unit_vector(rest.direction)), is_sure};
 }
 

@@ -14,9 +14,9 @@ struct StartGap {
   static auto exceeds(const PairMotion<T>& m, const T& reach) {
     const T size = m.size_d + m.size_e + m.size_f;
     const T margin = error_bounds::bound<T>(2 * error_bounds::kProjection, size) +
-                     error_bounds::constant<T>(1 + 8 * error_bounds::unit_roundoff<T>) * m.separation;
+                     constant<T>(1 + 8 * error_bounds::unit_roundoff<T>) * m.separation;
     const T gap = gap_of<kind>(m) - margin;
-    const T length = sqrt(squared_speed<kind>(m)) * error_bounds::constant<T>(1 + 8 * error_bounds::unit_roundoff<T>);
+    const T length = sqrt(squared_speed<kind>(m)) * constant<T>(1 + 8 * error_bounds::unit_roundoff<T>);
     const T speed = length + error_bounds::bound<T>(2 * error_bounds::kVelocity, size);
     return gap > reach * speed;
   }
@@ -28,7 +28,7 @@ struct StartGap {
     for_each_axis<13>([&](auto axis) {
       constexpr std::size_t i = decltype(axis)::value;
       const auto range = range_of_differences<kind>(project<i>(m.e.at0), project<i>(m.f.at0), project<i>(m.d.at0));
-      gap = max(gap, error_bounds::constant<T>(1 / axis_length(i)) * max(range.low, -range.high));
+      gap = max(gap, constant<T>(1 / axis_length(i)) * max(range.low, -range.high));
     });
     return gap;
   }

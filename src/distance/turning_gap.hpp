@@ -30,15 +30,13 @@ class TurningGap {
     return NearlyClosest::gap<kind>(at_time(m_.e, t), at_time(m_.f, t), at_time(m_.d, t));
   }
   /// The length, or more where squares underflow: then an axis made with it is shorter than 1.
-  static T length(const Vec3<T>& v) {
-    return sqrt(max(dot(v, v), error_bounds::constant<T>(error_bounds::underflow<T>)));
-  }
+  static T length(const Vec3<T>& v) { return sqrt(max(dot(v, v), constant<T>(error_bounds::underflow<T>))); }
   static Axis axis(const T& t, const Vec3<T>& gap) { return {t, (T(1) / length(gap)) * gap}; }
   Axis at(const T& t) const { return axis(t, gap(t)); }
 
   /// Is the distance from one time in [0,1] to another larger than `least`, less the error kTurningGap?
   Mask<T> exceeds(const T& least, const Axis& from, const Axis& until) const {
-    const T half = error_bounds::constant<T>(0.5);
+    const T half = constant<T>(0.5);
     T lowest = dot(from.along, at_time(m_.d, from.time));
     for (const auto& corner : difference_corners<kind>(m_)) {
       const Vec3<T> first = at_time(corner, from.time), last = at_time(corner, until.time);
@@ -50,7 +48,7 @@ class TurningGap {
 
   /// The same, proven by one axis, or by one in each of `parts` equal parts of the time.
   Mask<T> exceeds(const T& least, Axis from, const T& until, int parts) const {
-    const T share = error_bounds::constant<T>(1.0 / parts) * (until - from.time);
+    const T share = constant<T>(1.0 / parts) * (until - from.time);
     Mask<T> result(true);
     for (int i = 1; i <= parts; ++i) {
       const Axis next = at(i < parts ? from.time + share : until);

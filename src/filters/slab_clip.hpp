@@ -42,7 +42,7 @@ struct SlabClip {
   template <class T>
   static T margin_of(const PairMotion<T>& m, double axis_length) {
     const T error = error_bounds::bound<T>(error_bounds::kProjection, m.size_d + m.size_e + m.size_f);
-    return error + error_bounds::constant<T>(axis_length * (1 + 8 * error_bounds::unit_roundoff<T>)) * m.separation;
+    return error + constant<T>(axis_length * (1 + 8 * error_bounds::unit_roundoff<T>)) * m.separation;
   }
 
   template <PairKind kind, std::size_t i, class T>

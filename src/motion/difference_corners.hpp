@@ -64,9 +64,9 @@ inline T distance_along(const Corners& corners, const Vec3<T>& direction, const 
   const Vec3<T> n = (T(1) / largest_component(direction)) * direction;
   T lowest = dot(n, corners[0]);
   for (std::size_t i = 1; i < corners.size(); ++i) lowest = min(lowest, dot(n, corners[i]));
-  const T error = error_bounds::constant<T>(kRoundoff) * size + error_bounds::constant<T>(error_bounds::underflow<T>);
-  const T distance = (lowest - error_bounds::constant<T>(error_bounds::kAxisNow) * error) /
-                     (sqrt(dot(n, n)) * error_bounds::constant<T>(1 + 8 * kRoundoff));
+  const T error = constant<T>(kRoundoff) * size + constant<T>(error_bounds::underflow<T>);
+  const T distance =
+      (lowest - constant<T>(error_bounds::kAxisNow) * error) / (sqrt(dot(n, n)) * constant<T>(1 + 8 * kRoundoff));
   return select(distance > T(0), distance, T(0));
 }
 

@@ -47,8 +47,8 @@ class TimeClip {
   /// root beyond the step's end beyond it.
   TimeInterval<T> rest() const {
     constexpr double kError = Ratio<T>::kError + 8 * error_bounds::unit_roundoff<T>;
-    const T t_in = max(time_.t_in, first_ * error_bounds::constant<T>(1 - kError));
-    const T t_out = min(time_.t_out, last_ * error_bounds::constant<T>(1 + kError));
+    const T t_in = max(time_.t_in, first_ * constant<T>(1 - kError));
+    const T t_out = min(time_.t_out, last_ * constant<T>(1 + kError));
     return {t_in, t_out};
   }
 

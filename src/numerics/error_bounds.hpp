@@ -5,6 +5,7 @@
 // A pair is three moving vectors e, f, d with sizes E, F, D = the largest |component| at t=0 and t=1, scaled by a
 // power of two so that the largest size is below 1 (motion/pair_motion.hpp).
 #pragma once
+#include "numerics/select.hpp"
 
 namespace tamis::error_bounds {
 
@@ -23,15 +24,6 @@ inline constexpr double kRoundoff = unit_roundoff<double>;
 /// operations on numbers below 2^7.
 template <class T>
 inline constexpr double underflow = 0x1p-1000;
-
-/// A number as a constant of type T: a scalar, or the same in every lane.
-template <class T>
-inline T constant(double value) {
-  if constexpr (requires { typename T::value_type; })
-    return T(static_cast<typename T::value_type>(value));
-  else
-    return T(value);
-}
 
 /// The bound `factor` u `unit`, underflow included.
 template <class T>

@@ -153,34 +153,29 @@ inline void load_columns(const float (*rows)[8], const std::int32_t* index, Floa
 
 namespace tamis {
 
-#if XSIMD_WITH_SSE2 && !XSIMD_WITH_AVX512F
-template <>
-struct Masked<TAMIS_ISA::FloatLanes> {
-  using Lanes = TAMIS_ISA::FloatLanes;
-  using Mask = xsimd::batch_bool<float, TAMIS_ISA::Arch>;
-  static Lanes zero_unless(const Mask& mask, const Lanes& a) { return Lanes(mask.data) & a; }
-  static Lanes nan_where(const Mask& mask, const Lanes& a) { return Lanes(mask.data) | a; }
+#if XSIMD_WITH_SSE2
+/// x86's minimum and maximum are the second operand where the first is NaN.
+template <class Number>
+struct Masked<xsimd::batch<Number, TAMIS_ISA::Arch>> {
+  using Lanes = xsimd::batch<Number, TAMIS_ISA::Arch>;
+  using Mask = xsimd::batch_bool<Number, TAMIS_ISA::Arch>;
+  static constexpr bool kIsMaskWide = sizeof(Mask) == sizeof(Lanes);
+
+  static Lanes zero_unless(const Mask& mask, const Lanes& a) {
+    if constexpr (kIsMaskWide)
+      return Lanes(mask.data) & a;
+    else
+      return select(mask, a, Lanes(0));
+  }
+  static Lanes nan_where(const Mask& mask, const Lanes& a) {
+    if constexpr (kIsMaskWide)
+      return Lanes(mask.data) | a;
+    else
+      return select(mask, Lanes(std::numeric_limits<Number>::quiet_NaN()), a);
+  }
   static Lanes min_number(const Lanes& a, const Lanes& b) { return min(a, b); }
   static Lanes max_number(const Lanes& a, const Lanes& b) { return max(a, b); }
 };
-#elif !XSIMD_WITH_SSE2
-template <class Lanes>
-struct MaskedByComparison {
-  template <class Mask>
-  static Lanes zero_unless(const Mask& mask, const Lanes& a) {
-    return select(mask, a, Lanes(0));
-  }
-  template <class Mask>
-  static Lanes nan_where(const Mask& mask, const Lanes& a) {
-    return select(mask, Lanes(std::numeric_limits<typename Lanes::value_type>::quiet_NaN()), a);
-  }
-  static Lanes min_number(const Lanes& a, const Lanes& b) { return select(a < b, a, b); }
-  static Lanes max_number(const Lanes& a, const Lanes& b) { return select(a > b, a, b); }
-};
-template <>
-struct Masked<TAMIS_ISA::FloatLanes> : MaskedByComparison<TAMIS_ISA::FloatLanes> {};
-template <>
-struct Masked<TAMIS_ISA::DoubleLanes> : MaskedByComparison<TAMIS_ISA::DoubleLanes> {};
 #endif
 
 /// A ratio without a division, which costs as much as twenty other operations: the bits of b give a guess at 1/b,

@@ -12,6 +12,15 @@ namespace tamis {
 template <class T>
 using Mask = decltype(std::declval<T>() > std::declval<T>());
 
+/// A number as a constant of type T: a scalar, or the same in every lane.
+template <class T>
+inline T constant(double value) {
+  if constexpr (requires { typename T::value_type; })
+    return T(static_cast<typename T::value_type>(value));
+  else
+    return T(value);
+}
+
 inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
 template <class Mask, class T>
 inline Vec3<T> select(const Mask& mask, const Vec3<T>& yes, const Vec3<T>& no) {
@@ -25,7 +34,7 @@ inline double sqrt(double a) { return std::sqrt(a); }
 inline bool any(bool mask) { return mask; }
 
 /// Selections that lanes specialize: those with a constant on one side are one operation where a mask is as wide as the
-/// numbers; min_number and max_number treat NaN alike on every instruction set.
+/// numbers, and most processors have one for the others.
 template <class T>
 struct Masked {
   template <class Mask>
@@ -34,11 +43,11 @@ struct Masked {
   }
   template <class Mask>
   static T nan_where(const Mask& mask, const T& a) {
-    return select(mask, T(std::numeric_limits<double>::quiet_NaN()), a);
+    return select(mask, constant<T>(std::numeric_limits<double>::quiet_NaN()), a);
   }
   /// The smaller and the larger of two: b where a is NaN.
-  static T min_number(const T& a, const T& b) { return min(a, b); }
-  static T max_number(const T& a, const T& b) { return max(a, b); }
+  static T min_number(const T& a, const T& b) { return select(a < b, a, b); }
+  static T max_number(const T& a, const T& b) { return select(a > b, a, b); }
 };
 
 /// a / b, off by at most kError of itself. REQUIRES (not checked: lanes): b is not 0 where the result is used.

@@ -1,9 +1,9 @@
 #include "bvh/group_order.hpp"
 
 #include <array>
-#include <utility>
 
 #include "bounds/box.hpp"
+#include "numerics/counting_sort.hpp"
 
 namespace tamis {
 namespace {
@@ -65,13 +65,12 @@ GroupOrder order_groups(std::span<const GroupedFeature> features, std::span<cons
   for (const Index group : groups_in_space_order(features, no_self_contact, split))
     rank[static_cast<std::size_t>(group)] = ++last;
   GroupOrder order{std::vector<Index>(features.size()), std::vector<std::size_t>(last + 1)};
-  const auto rank_of = [&](const GroupedFeature& feature) { return rank[static_cast<std::size_t>(feature.group)]; };
-  // A counting sort: `ends` are counts, then where each group begins, and as features are put there, where it ends.
-  for (const GroupedFeature& feature : features) ++order.ends[rank_of(feature)];
-  std::size_t begin = 0;
-  for (std::size_t& end : order.ends) begin += std::exchange(end, begin);
-  for (std::size_t i = 0; i < features.size(); ++i)
-    order.features[order.ends[rank_of(features[i])]++] = static_cast<Index>(i);
+  CountingSort sort;
+  sort.find_places(
+      features.size(), order.ends.size(),
+      [&](std::size_t i) { return rank[static_cast<std::size_t>(features[i].group)]; },
+      [&](std::size_t i, std::uint32_t place) { order.features[place] = static_cast<Index>(i); }, [] {});
+  for (std::size_t group = 0; group <= last; ++group) order.ends[group] = sort.end_of(group);
   return order;
 }
 

@@ -94,14 +94,11 @@ void BlockTree::choose_order(const PackedMotion& motion, const OrderAxes& by, Sp
     for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) {
       const Index feature = groups.features.empty() ? static_cast<Index>(i) : groups.features[i];
       float sum[6] = {};
-      for (std::size_t c = 0; c < static_cast<std::size_t>(corners_); ++c) {
+      for (std::size_t c = 0; c < corners; ++c) {
         const auto& at = motion.box_vertices[static_cast<std::size_t>(vertex_of(feature, c))].at;
         for (int k = 0; k < 6; ++k) sum[k] += at[k];
       }
-      for (int axis = 0; axis < 3; ++axis)
-        centers.at[axis][i] = (sum[axis] + by.time * (sum[3 + axis] - sum[axis])) / static_cast<float>(corners_);
-      for (int axis = 0; axis < by.count() - 3; ++axis)
-        centers.at[3 + axis][i] = by.displacement_weight * (sum[3 + axis] - sum[axis]) / static_cast<float>(corners_);
+      by.enter(sum, static_cast<float>(corners_), centers, i);
       centers.feature[i] = feature;
     }
   });

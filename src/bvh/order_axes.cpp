@@ -65,10 +65,8 @@ Spread spread_of(const PackedMotion& motion, std::span<const Index> points, cons
   const auto displacement = [](const float* at, int axis) { return at[3 + axis] - at[axis]; };
   const auto position = [&](const float* at, int axis) { return at[axis] + by.time * displacement(at, axis); };
   for (std::size_t i = 0; i < count; ++i) {
-    const float* at = coordinates(centers.feature[i] = points[i * kBlock]);
-    for (int axis = 0; axis < 3; ++axis) centers.at[axis][i] = position(at, axis);
-    for (int axis = 0; axis < by.count() - 3; ++axis)
-      centers.at[3 + axis][i] = by.displacement_weight * displacement(at, axis);
+    centers.feature[i] = points[i * kBlock];
+    by.enter(coordinates(centers.feature[i]), 1, centers, i);
   }
   order_in_space(centers, count, split, [] {});
   Spread spread;

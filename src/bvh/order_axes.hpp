@@ -12,6 +12,14 @@ struct OrderAxes {
   float displacement_weight = 0;
 
   int count() const { return displacement_weight > 0 ? 6 : 3; }
+  /// Enters the mean of some vertices as center i. `sum`: of their coordinates, x y z at t=0, then at t=1.
+  void enter(const float* sum, float vertices, const Centers& centers, std::size_t i) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const float displacement = sum[3 + axis] - sum[axis];
+      centers.at[axis][i] = (sum[axis] + time * displacement) / vertices;
+      if (count() == 6) centers.at[3 + axis][i] = displacement_weight * displacement / vertices;
+    }
+  }
 };
 
 /// Which part of the step a question's search visits most, so that the trees' order should serve it.

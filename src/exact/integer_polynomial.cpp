@@ -90,15 +90,6 @@ IntegerPolynomial IntegerPolynomial::derivative() const {
   return p;
 }
 
-void IntegerPolynomial::divide_by_powers_of_two() {
-  if (is_zero()) return;
-  mp_bitcnt_t common = ~mp_bitcnt_t{0};
-  for (int i = 0; i <= degree_; ++i)
-    if (at(i).sign() != 0) common = std::min(common, mpz_scan1(at(i).get(), 0));
-  if (common == 0) return;
-  for (int i = 0; i <= degree_; ++i) at(i) >>= common;
-}
-
 void IntegerPolynomial::divide_by_content() {
   Integer content;
   for (int i = 0; i <= degree_; ++i) content = greatest_common_divisor(content, at(i));
@@ -116,7 +107,7 @@ void IntegerPolynomial::reduce_modulo(const IntegerPolynomial& b) {
     at(degree_) = 0;
     find_degree(degree_ - 1);
   }
-  divide_by_powers_of_two();
+  if (!is_zero()) divide_by_content();
 }
 
 IntegerPolynomial greatest_common_divisor(IntegerPolynomial a, IntegerPolynomial b) {

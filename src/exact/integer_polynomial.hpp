@@ -63,7 +63,6 @@ class IntegerPolynomial {
   /// Finds the degree after coefficients have changed. REQUIRES: it is no more than `at_most`.
   void find_degree(int at_most);
   void shift_by(const Integer& n);
-  void divide_by_powers_of_two();
   void divide_by_content();
   /// Becomes the remainder, modulo b, of this polynomial times a power of b's leading coefficient, less powers of two.
   void reduce_modulo(const IntegerPolynomial& b);

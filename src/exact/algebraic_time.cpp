@@ -22,51 +22,36 @@ AlgebraicTime::AlgebraicTime(IntegerPolynomial p, int sign_before, DyadicCell ce
   if (next_up(lower) < upper) narrow_to_doubles(lower, upper);
 }
 
-void AlgebraicTime::take_polynomial(IntegerPolynomial p) {
-  polynomial_ = std::move(p);
-  sign_before_ = polynomial_.on(cell_).sign_after_zero();
-  TAMIS_ASSERT(sign_before_ != 0);
-  ends_.reset();
-}
-
 void AlgebraicTime::halve() {
   DyadicCell right = cell_.right_half();
   const int side = polynomial_.sign_at(right) * sign_before_;  // the sign of this time minus the middle of the cell
   is_exact_ = side == 0;
   cell_ = side < 0 ? cell_.left_half() : std::move(right);
-  ends_.reset();
 }
 
 void AlgebraicTime::refine() {
-  if (!ends_) ends_ = {polynomial_.scaled_value(cell_), polynomial_.scaled_value({cell_.n + 1, cell_.k})};
+  const Integer at_lower = polynomial_.scaled_value(cell_), at_upper = polynomial_.scaled_value({cell_.n + 1, cell_.k});
   // An end of the cell may itself be a root of the polynomial: then the signs at the ends do not differ.
-  if (refinement_ < 2 || ends_->lower.sign() * ends_->upper.sign() >= 0) {
+  if (refinement_ < 2 || at_lower.sign() * at_upper.sign() >= 0) {
     refinement_ = 4;
     return halve();
   }
   const unsigned long bits = refinement_;
-  const DyadicCell guess{(cell_.n << bits) + quotient(ends_->lower << bits, ends_->lower - ends_->upper),
-                         cell_.k + bits};
-  Integer lower = polynomial_.scaled_value(guess);
-  if (lower.sign() == 0) {
-    cell_ = guess;
-    is_exact_ = true;
-    return;
-  }
-  refinement_ /= 2;
-  if (lower.sign() != sign_before_) return;
-  Integer upper = polynomial_.scaled_value({guess.n + 1, guess.k});
-  if (upper.sign() != -sign_before_) return;
-  cell_ = guess;
-  ends_ = {std::move(lower), std::move(upper)};
-  refinement_ = 2 * bits;
+  const DyadicCell guess{(cell_.n << bits) + quotient(at_lower << bits, at_lower - at_upper), cell_.k + bits};
+  const int sign = polynomial_.sign_at(guess);
+  is_exact_ = sign == 0;
+  const bool is_there =
+      is_exact_ || (sign == sign_before_ && polynomial_.sign_at({guess.n + 1, guess.k}) == -sign_before_);
+  if (is_there) cell_ = guess;
+  refinement_ = is_there ? 2 * bits : bits / 2;
 }
 
 bool AlgebraicTime::is_root_of(const IntegerPolynomial& q) {
   IntegerPolynomial common = greatest_common_divisor(polynomial_, q);
   // The divisor has at most one root in the cell, a simple one: the parity of its sign variations decides.
   if (common.degree() <= 0 || common.on(cell_).sign_variations() % 2 == 0) return false;
-  if (common.degree() < polynomial_.degree()) take_polynomial(std::move(common));
+  polynomial_ = std::move(common);
+  sign_before_ = polynomial_.on(cell_).sign_after_zero();
   return true;
 }
 

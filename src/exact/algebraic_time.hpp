@@ -1,7 +1,5 @@
 // A time in [0,1] that is a root of an integer polynomial, and the signs of other polynomials at it.
 #pragma once
-#include <optional>
-
 #include "exact/integer_polynomial.hpp"
 #include "motion/time_clip.hpp"
 
@@ -36,7 +34,7 @@ class AlgebraicTime {
   /// Refines the time in the wider cell: if both were refined, the bits of one would double in each of the many steps
   /// that the other may take. REQUIRES: not both are exact.
   static void narrow(AlgebraicTime& a, AlgebraicTime& b);
-  void take_polynomial(IntegerPolynomial p);
+  /// If so, the greatest common divisor becomes the polynomial.
   bool is_root_of(const IntegerPolynomial& q);
   void halve();
   /// Makes the cell smaller, quadratically (Abbott 2006): a straight line through the values at its ends says which of
@@ -50,10 +48,6 @@ class AlgebraicTime {
   DyadicCell cell_;
   bool is_exact_ = false;
   unsigned long refinement_ = 8;
-  struct Ends {
-    Integer lower, upper;
-  };
-  std::optional<Ends> ends_;  ///< the polynomial's scaled values at the ends of the cell, once asked
 };
 
 }  // namespace tamis

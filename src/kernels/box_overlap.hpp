@@ -16,7 +16,7 @@ struct alignas(64) BoundBlock {
   static constexpr int kCount = count;
   float at[count][kBlock];
 
-  FloatLanes lanes(int k, int first) const { return FloatLanes::load_aligned(at[k] + first); }
+  FloatLanes lanes(int k, int first) const { return lanes_of(at[k], first); }
 };
 
 /// Interpolated boxes, and boxes relative to a moving observer, are off by less than this
@@ -30,7 +30,7 @@ inline constexpr float kLaterOutlierMargin = 0x1p-20f;
 /// The margin that kLaterOutlierMargin gives each box of a block along an axis.
 inline FloatLanes later_outlier_margin(const BoxBlock& block, int axis, int first) {
   const auto larger = [&](const float(&low)[3][kBlock], const float(&high)[3][kBlock]) {
-    return max(-FloatLanes::load_aligned(low[axis] + first), FloatLanes::load_aligned(high[axis] + first));
+    return max(-lanes_of(low[axis], first), lanes_of(high[axis], first));
   };
   return FloatLanes(kLaterOutlierMargin) * max(larger(block.low0, block.high0), larger(block.low1, block.high1));
 }
@@ -54,8 +54,7 @@ template <class A, class B>
 inline FloatLanes extent_at_start(const BoxBlock& block, int first) {
   FloatLanes sum(0.0f);
   for (int axis = 0; axis < 3; ++axis)
-    sum = sum +
-          (FloatLanes::load_aligned(block.high0[axis] + first) - FloatLanes::load_aligned(block.low0[axis] + first));
+    sum = sum + (lanes_of(block.high0[axis], first) - lanes_of(block.low0[axis], first));
   return sum;
 }
 
@@ -83,13 +82,10 @@ class MovingBoxes {
     const BoxBlock& block = tree.levels[level][node];
     const FloatLanes t(t_limit_);
     if (t_limit_ == 1)
-      sweep(block, bounds, [](const auto&, const auto& at1, const auto& observer_displacement) {
-        return at1 - observer_displacement;
-      });
+      sweep(block, bounds, [](const auto&, const auto& at1, const auto& observer) { return at1 - observer; });
     else
-      sweep(block, bounds, [&](const auto& at0, const auto& at1, const auto& observer_displacement) {
-        return at0 + (t * (at1 - at0) - observer_displacement);
-      });
+      sweep(block, bounds,
+            [&](const auto& at0, const auto& at1, const auto& observer) { return at0 + (t * (at1 - at0) - observer); });
     if (has_outliers_) widen(block, bounds);
   }
 
@@ -122,47 +118,41 @@ class MovingBoxes {
 
   /// Bits of a node's children whose features, judged by the hulls, move far for their size and that of mine.
   unsigned move_far(const BoxBlock& block, const Bounds& swept, const Means& mine) const {
-    unsigned mask = 0;
-    for_sixteen_lanes([&](int first) {
+    return bits_of_sixteen([&](int first) {
       const FloatLanes size = extent_at_start(block, first);
       const FloatLanes growth = swept_extent(swept, first) - size + FloatLanes(mine.growth);
-      mask |= bits(growth > FloatLanes(kShort) * (FloatLanes(mine.size) + FloatLanes(0.25f) * size)) << first;
+      return growth > FloatLanes(kShort) * (FloatLanes(mine.size) + FloatLanes(0.25f) * size);
     });
-    return mask;
   }
 
   /// Bits of the sixteen boxes that meet one box at some time: the sharp test.
   unsigned meet_at_some_time(const BoxBlock& one, int lane, const BoxBlock& sixteen) const {
-    unsigned mask = 0;
-    for_sixteen_lanes([&](int first) {
-      const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
+    return bits_of_sixteen([&](int first) {
       TimeClip<FloatLanes> clip({FloatLanes(0.0f), FloatLanes(t_limit_)});
       for (int axis = 0; axis < 3; ++axis) {
-        clip.cut_positive(load(sixteen.low0[axis]) - FloatLanes(one.high0[axis][lane]),
-                          load(sixteen.low1[axis]) - FloatLanes(one.high1[axis][lane]));
-        clip.cut_positive(FloatLanes(one.low0[axis][lane]) - load(sixteen.high0[axis]),
-                          FloatLanes(one.low1[axis][lane]) - load(sixteen.high1[axis]));
+        clip.cut_positive(lanes_of(sixteen.low0[axis], first) - FloatLanes(one.high0[axis][lane]),
+                          lanes_of(sixteen.low1[axis], first) - FloatLanes(one.high1[axis][lane]));
+        clip.cut_positive(FloatLanes(one.low0[axis][lane]) - lanes_of(sixteen.high0[axis], first),
+                          FloatLanes(one.low1[axis][lane]) - lanes_of(sixteen.high1[axis], first));
       }
       const auto time = clip.rest();
-      mask |= bits(time.t_in <= time.t_out) << first;
+      return time.t_in <= time.t_out;
     });
-    return mask;
   }
 
   float t_limit() const { return t_limit_; }
 
  private:
-  /// Bounds the swept boxes. `at_limit(at0, at1, observer_displacement)`: where an end of the boxes is at t_limit,
-  /// relative to the observer.
+  /// Bounds the swept boxes. `at_limit(at0, at1, the observer's displacement)`: where an end of the boxes is at
+  /// t_limit, relative to the observer.
   template <class F>
   [[gnu::always_inline]] void sweep(const BoxBlock& block, Bounds& bounds, const F& at_limit) const {
     for (int axis = 0; axis < 3; ++axis)
       for_sixteen_lanes([&](int first) {
-        const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
-        const FloatLanes observer_displacement(observer_displacement_[axis]), low0 = load(block.low0[axis]),
-                                                                              high0 = load(block.high0[axis]);
-        min(at_limit(low0, load(block.low1[axis]), observer_displacement), low0).store_aligned(bounds.at[axis] + first);
-        max(at_limit(high0, load(block.high1[axis]), observer_displacement), high0)
+        const FloatLanes observer(observer_displacement_[axis]);
+        const FloatLanes low = lanes_of(block.low0[axis], first), high = lanes_of(block.high0[axis], first);
+        min(at_limit(low, lanes_of(block.low1[axis], first), observer), low).store_aligned(bounds.at[axis] + first);
+        max(at_limit(high, lanes_of(block.high1[axis], first), observer), high)
             .store_aligned(bounds.at[3 + axis] + first);
       });
   }

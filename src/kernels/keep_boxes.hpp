@@ -38,9 +38,8 @@ class KeepBoxes {
     const FloatLanes t(t_limit_);
     for (int axis = 0; axis < 3; ++axis)
       for_sixteen_lanes([&](int first) {
-        const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
-        const auto l0 = load(block.low0[axis]), l1 = load(block.low1[axis]);
-        const auto h0 = load(block.high0[axis]), h1 = load(block.high1[axis]);
+        const auto l0 = lanes_of(block.low0[axis], first), l1 = lanes_of(block.low1[axis], first);
+        const auto h0 = lanes_of(block.high0[axis], first), h1 = lanes_of(block.high1[axis], first);
         FloatLanes margin(kLaterMargin);
         if (has_outliers_) margin = margin + later_outlier_margin(block, axis, first);
         l0.store_aligned(bounds.at[axis] + first);
@@ -55,7 +54,6 @@ class KeepBoxes {
   /// `a(k)`, `b(k)`: bound k of the boxes in lanes.
   template <class A, class B>
   [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
-    const FloatLanes zero(0.0f);
     const FloatLanes residual2 = greatest_residual2<kResidual, kHigh>(a, b);
     FloatLanes gap2(0.0f), farthest2(0.0f), first2(0.0f), second2(0.0f);
     for (int axis = 0; axis < 3; ++axis) {

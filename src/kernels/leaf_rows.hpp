@@ -28,11 +28,8 @@ struct MetLeaf {
 /// Bits of sixteen lanes whose boxes may meet. `a(k, first)`, `b(k, first)`: bound k of the boxes from lane `first` on.
 template <class Boxes, class A, class B>
 [[gnu::always_inline]] inline unsigned lanes_that_meet(const Boxes& boxes, const A& a, const B& b) {
-  unsigned mask = 0;
-  for_sixteen_lanes([&](int first) {
-    mask |= bits(boxes.meet([&](int k) { return a(k, first); }, [&](int k) { return b(k, first); })) << first;
-  });
-  return mask;
+  return bits_of_sixteen(
+      [&](int first) { return boxes.meet([&](int k) { return a(k, first); }, [&](int k) { return b(k, first); }); });
 }
 
 /// The rows of one leaf block of search.a. `Boxes`: as in BlockSearch.

@@ -33,15 +33,11 @@ inline float extent(const Search& search, int block) {
 
 /// Bits of the sixteen boxes that at t=0 are, along each axis, within reach of box `lane` of `one`.
 inline unsigned within_reach(const BoxBlock& one, int lane, const BoxBlock& sixteen, float reach) {
-  unsigned mask = 0;
-  for_sixteen_lanes([&](int first) {
+  return bits_of_sixteen([&](int first) {
     const auto a = [&](int k) { return FloatLanes(k < 3 ? one.low0[k][lane] : one.high0[k - 3][lane]); };
-    const auto b = [&](int k) {
-      return FloatLanes::load_aligned((k < 3 ? sixteen.low0[k] : sixteen.high0[k - 3]) + first);
-    };
-    mask |= bits(largest_gap(a, b) <= FloatLanes(reach)) << first;
+    const auto b = [&](int k) { return lanes_of(k < 3 ? sixteen.low0[k] : sixteen.high0[k - 3], first); };
+    return largest_gap(a, b) <= FloatLanes(reach);
   });
-  return mask;
 }
 
 }  // namespace tamis::TAMIS_ISA

@@ -34,9 +34,9 @@ class RowPairs {
   /// of the lanes up to `lane`, so that each pair is found once.
   template <One one>
   unsigned neighbours(int leaf, int lane) const {
-    unsigned mask = kIsSelf && leaf == block_ ? ~(~1u << lane) : 0;
-    for_sixteen_lanes([&](int first) { mask |= adjacent<one>(lane, search_.b.corners[leaf], first) << first; });
-    return mask;
+    const unsigned found_already = kIsSelf && leaf == block_ ? ~(~1u << lane) : 0;
+    return found_already |
+           bits_of_sixteen([&](int first) { return are_adjacent<one>(lane, search_.b.corners[leaf], first); });
   }
 
   /// Appends to the buffer the pairs of the one feature, in lane `lane`, with the features whose bits are in `found`.
@@ -79,9 +79,9 @@ class RowPairs {
   static constexpr int kCornersOfMine = kIsSelf || course == Course::along_edge ? 2 : 1;
   static constexpr int kCornersOfTheirs = kIsSelf ? 2 : 3;
 
-  /// Bits of the lanes that share a vertex with the one; of empty lanes, anything.
+  /// The lanes that share a vertex with the one; of empty lanes, anything.
   template <One one>
-  unsigned adjacent(int lane, const CornerBlock& theirs, int first) const {
+  auto are_adjacent(int lane, const CornerBlock& theirs, int first) const {
     using Unsigned = xsimd::batch<std::uint32_t, Arch>;
     constexpr int kCornersOfOne = one == One::mine ? kCornersOfMine : kCornersOfTheirs;
     constexpr int kCornersOfSixteen = one == One::mine ? kCornersOfTheirs : kCornersOfMine;
@@ -92,7 +92,7 @@ class RowPairs {
         differ = xsimd::min(differ,
                             xsimd::bitwise_cast<Unsigned>(IntLanes(corners.one.vertex[c][lane]) ^
                                                           IntLanes::load_aligned(corners.sixteen.vertex[o] + first)));
-    return bits(differ == Unsigned(0u));
+    return differ == Unsigned(0u);
   }
 
   Search& search_;

@@ -11,6 +11,19 @@ template <class F>
   for (int first = 0; first < kBlock; first += kFloatLanes) f(first);
 }
 
+/// Bits of sixteen lanes. `mask_at(first)`: the mask of a batch of them.
+template <class F>
+[[gnu::always_inline]] inline unsigned bits_of_sixteen(const F& mask_at) {
+  unsigned all = 0;
+  for_sixteen_lanes([&](int first) { all |= bits(mask_at(first)) << first; });
+  return all;
+}
+
+/// Of sixteen numbers, the batch from `first` on.
+inline FloatLanes lanes_of(const float (&sixteen)[kBlock], int first) {
+  return FloatLanes::load_aligned(sixteen + first);
+}
+
 /// Calls f(lane) for the bits of a mask, lowest first.
 template <class F>
 inline void for_each_bit(unsigned mask, const F& f) {

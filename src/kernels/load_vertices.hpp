@@ -79,9 +79,6 @@ inline Vec3<DoubleLanes> difference(const std::array<Vec3<DoubleLanes>, count>& 
   return at[v.to] - at[v.from];
 }
 
-/// Bits of the first `count` of `lanes` lanes, or of all if there are fewer.
-inline unsigned first_lanes(int count, int lanes = kDoubleLanes) { return (1u << (count < lanes ? count : lanes)) - 1; }
-
 /// Bits of the lanes that hold a pair, of `lanes` lanes from `first` on.
 inline unsigned lanes_in_use(const PairBuffer& pairs, int first, int lanes = kDoubleLanes) {
   return first_lanes(pairs.count - first, lanes);

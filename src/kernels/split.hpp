@@ -45,6 +45,15 @@ inline LongestAxis longest_axis(const Centers& centers, std::size_t count, Exten
   }
 }
 
+/// `lanes` numbers, then zeros.
+template <class T>
+inline xsimd::batch<T, Arch> load_some(const T* at, int lanes) {
+  if (lanes == kFloatLanes) return xsimd::batch<T, Arch>::load_unaligned(at);
+  T padded[kFloatLanes] = {};
+  for (int i = 0; i < lanes; ++i) padded[i] = at[i];
+  return xsimd::batch<T, Arch>::load_unaligned(padded);
+}
+
 /// Partitions centers, batch after batch: low ones move forward in place, high ones to `scratch`, from place `lower`
 /// on.
 template <int axes>
@@ -55,62 +64,34 @@ class Partition {
 
   /// Puts the `lanes` centers from `first` on. `low`: bits of the low ones.
   void take(std::size_t first, unsigned low, int lanes) {
+    const unsigned high = ~low & first_lanes(lanes, kFloatLanes);
+    const auto put_all = [&](const auto& put) {
+      for (int axis = 0; axis < axes; ++axis) put(centers_.at[axis], scratch_.at[axis]);
+      put(centers_.feature, scratch_.feature);
+    };
+    // No batch may reach beyond place count_ of the scratch: the memory there belongs to another partition.
+    if (lanes == kFloatLanes && high_ + kFloatLanes <= count_) {
+      put_all([&](auto* centers, auto* scratch) {
+        store_partitioned(low, load_some(centers + first, kFloatLanes), centers + low_, scratch + high_);
+      });
+    } else {
+      put_all([&](auto* centers, auto* scratch) {
+        const auto some = load_some(centers + first, lanes);
+        store_compressed_only(low, some, centers + low_);
+        store_compressed_only(high, some, scratch + high_);
+      });
+    }
     const int lows = count_bits(low);
-    if (lanes < kFloatLanes)
-      put_singly(first, low, lanes);
-    else
-      put(first, low);
     low_ += static_cast<std::size_t>(lows);
     high_ += static_cast<std::size_t>(lanes - lows);
   }
   std::size_t lows() const { return low_; }
 
  private:
-  /// No batch may reach beyond place count_ of the scratch: the memory there belongs to another partition.
-  void put(std::size_t first, unsigned low) const {
-    constexpr unsigned kAll = (1u << kFloatLanes) - 1;
-    const auto feature = IntLanes::load_unaligned(centers_.feature + first);
-    if (high_ + kFloatLanes <= count_) {
-      for (int axis = 0; axis < axes; ++axis) {
-        const auto at = FloatLanes::load_unaligned(centers_.at[axis] + first);
-        store_partitioned(low, at, centers_.at[axis] + low_, scratch_.at[axis] + high_);
-      }
-      store_partitioned(low, feature, centers_.feature + low_, scratch_.feature + high_);
-    } else {
-      for (int axis = 0; axis < axes; ++axis) {
-        const auto at = FloatLanes::load_unaligned(centers_.at[axis] + first);
-        store_compressed(low, at, centers_.at[axis] + low_);
-        store_compressed_only(~low & kAll, at, scratch_.at[axis] + high_);
-      }
-      store_compressed(low, feature, centers_.feature + low_);
-      store_compressed_only(~low & kAll, feature, scratch_.feature + high_);
-    }
-  }
-
-  /// For fewer centers than a batch.
-  void put_singly(std::size_t first, unsigned low, int lanes) const {
-    std::size_t low_place = low_, high_place = high_;
-    for (int i = 0; i < lanes; ++i) {
-      const bool is_low = low >> i & 1;
-      const Centers& to = is_low ? centers_ : scratch_;
-      const std::size_t place = is_low ? low_place++ : high_place++, from = first + static_cast<std::size_t>(i);
-      for (int axis = 0; axis < axes; ++axis) to.at[axis][place] = centers_.at[axis][from];
-      to.feature[place] = centers_.feature[from];
-    }
-  }
-
   const Centers centers_, scratch_;
   const std::size_t count_;
   std::size_t low_ = 0, high_;  ///< where the next ones go
 };
-
-/// `lanes` numbers, then zeros.
-inline FloatLanes load_some(const float* at, int lanes) {
-  if (lanes == kFloatLanes) return FloatLanes::load_unaligned(at);
-  float padded[kFloatLanes] = {};
-  for (int i = 0; i < lanes; ++i) padded[i] = at[i];
-  return FloatLanes::load_unaligned(padded);
-}
 
 template <int axes>
 void partition_at(const Cut& cut, const float* along, const Centers& centers, const Centers& scratch, std::size_t count,
@@ -120,7 +101,7 @@ void partition_at(const Cut& cut, const float* along, const Centers& centers, co
   std::size_t equal = lower - cut.below;  // so many numbers equal to the cut, the first ones, are low
   for (std::size_t first = 0; first < count; first += kFloatLanes) {
     const int lanes = count - first < kFloatLanes ? static_cast<int>(count - first) : kFloatLanes;
-    const unsigned in_use = (1u << lanes) - 1;
+    const unsigned in_use = first_lanes(lanes, kFloatLanes);
     const auto x = load_some(along + first, lanes);
     unsigned low = bits(x < pivot) & in_use;
     if (equal > 0)

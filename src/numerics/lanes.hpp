@@ -45,6 +45,9 @@ inline unsigned bits(const xsimd::batch_bool<T, Arch>& mask) {
 #endif
 }
 
+/// Bits of the first `count` of `lanes` lanes, or of all if there are fewer.
+inline unsigned first_lanes(int count, int lanes = kDoubleLanes) { return (1u << (count < lanes ? count : lanes)) - 1; }
+
 /// The number of bits that are set. REQUIRES (not checked: lanes): no bit beyond the lanes of floats.
 inline int count_bits(unsigned mask) {
   if constexpr (kFloatLanes == 4)  // the baseline has no instruction for it

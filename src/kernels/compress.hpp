@@ -63,20 +63,9 @@ inline void store_compressed_only(unsigned mask, const xsimd::batch<T, Arch>& la
 /// Writes the lanes of `mask` from `low` on, the others from `high` on: a whole batch to both.
 template <class T>
 inline void store_partitioned(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* low, T* high) {
-#if XSIMD_WITH_AVX2
   constexpr unsigned kAll = (1u << IntLanes::size) - 1;
   store_compressed(mask, lanes, low);
   store_compressed(~mask & kAll, lanes, high);
-#else
-  alignas(64) T all[IntLanes::size];
-  lanes.store_aligned(all);
-  for (unsigned i = 0; i < IntLanes::size; ++i) {
-    *low = *high = all[i];
-    const unsigned is_low = mask >> i & 1;
-    low += is_low;
-    high += 1 - is_low;
-  }
-#endif
 }
 
 /// Appends `first` + i to the list for each bit i of `mask`, of sixteen.

@@ -5,7 +5,6 @@
 #include <tuple>
 #include <vector>
 
-#include "numerics/assert.hpp"
 #include "query/pair_vertices.hpp"
 #include "world/gathered.hpp"
 
@@ -51,39 +50,18 @@ void keep_earlier(std::optional<Row>& first, double& time, const std::optional<P
   first = row;
 }
 
-/// Merges the ordered rows of several detectors into one answer in the order of is_before().
+/// Adds the answer of one detector, of `whose` mesh.
+template <class Row, class Pair, class Whose>
+void add_named(std::vector<Row>& rows, const std::vector<Pair>& pairs, const Whose& whose) {
+  for (const Pair& pair : pairs) rows.push_back(named<Row>(pair, whose));
+}
+
+/// Puts the answers of several detectors in one order; that of one detector is in order. Equal rows, of duplicate
+/// features, stay in the order of their times, in which a detector gives them.
 template <class Row>
-class OrderedParts {
- public:
-  /// Adds the answer of one detector, of `whose` mesh.
-  template <class Pair, class Whose>
-  void add(const std::vector<Pair>& pairs, const Whose& whose) {
-    const std::size_t first = rows_.size();
-    for (const Pair& pair : pairs) rows_.push_back(named<Row>(pair, whose));
-    TAMIS_ASSERT(std::is_sorted(at(first), rows_.end(), is_row_before));
-    ends_.push_back(rows_.size());
-  }
-  /// Merges neighbouring parts until one is left.
-  std::vector<Row> merged() && {
-    while (ends_.size() > 1) {
-      std::vector<std::size_t> ends;
-      std::size_t first = 0;
-      for (std::size_t i = 0; i < ends_.size(); i += 2) {
-        const std::size_t last = ends_[std::min(i + 1, ends_.size() - 1)];
-        std::inplace_merge(at(first), at(ends_[i]), at(last), is_row_before);
-        ends.push_back(first = last);
-      }
-      ends_ = std::move(ends);
-    }
-    return std::move(rows_);
-  }
-
- private:
-  static bool is_row_before(const Row& a, const Row& b) { return is_before(a, b); }
-  typename std::vector<Row>::iterator at(std::size_t i) { return rows_.begin() + static_cast<std::ptrdiff_t>(i); }
-
-  std::vector<Row> rows_;
-  std::vector<std::size_t> ends_;  ///< of parts
-};
+void put_in_order(std::vector<Row>& rows) {
+  const auto is_row_before = [](const Row& a, const Row& b) { return is_before(a, b); };
+  if (!std::ranges::is_sorted(rows, is_row_before)) std::ranges::stable_sort(rows, is_row_before);
+}
 
 }  // namespace tamis

@@ -78,12 +78,12 @@ void World::State::for_each_at_rest(double distance, const Ask& ask) {
 }
 
 std::vector<BodyContact> World::State::contacts(const QueryOptions& asked) {
-  OrderedParts<BodyContact> parts;
+  std::vector<BodyContact> all;
   for_each_moving(asked, 0, [&](const auto& state, const auto& motion, const QueryOptions& how, const auto& whose) {
-    parts.add(state->find_contacts(motion, how), whose);
+    add_named(all, state->find_contacts(motion, how), whose);
     return true;
   });
-  std::vector<BodyContact> all = std::move(parts).merged();
+  put_in_order(all);
   for (const BodyContact& c : all) check_start(c, c.toi_lower, asked);
   return all;
 }
@@ -127,21 +127,23 @@ BodyStep World::State::safe_step(double fraction, const QueryOptions& asked) {
 
 std::vector<BodyNearPair> World::State::pairs_within(double distance) {
   validate_distance(distance, "the distance");
-  OrderedParts<BodyNearPair> parts;
+  std::vector<BodyNearPair> all;
   for_each_at_rest(distance, [&](const auto& state, const Positions& pose, const auto& whose) {
-    parts.add(state->find_near(pose, distance), whose);
+    add_named(all, state->find_near(pose, distance), whose);
     return true;
   });
-  return std::move(parts).merged();
+  put_in_order(all);
+  return all;
 }
 
 std::vector<BodyIntersection> World::State::intersections() {
-  OrderedParts<BodyIntersection> parts;
+  std::vector<BodyIntersection> all;
   for_each_at_rest(0, [&](const auto& state, const Positions& pose, const auto& whose) {
-    parts.add(state->find_intersections(pose, Question::all_contacts), whose);
+    add_named(all, state->find_intersections(pose, Question::all_contacts), whose);
     return true;
   });
-  return std::move(parts).merged();
+  put_in_order(all);
+  return all;
 }
 
 bool World::State::has_intersection() {

@@ -104,16 +104,14 @@ bool Gathered::keeps_motion_kinds(const BodyList& bodies) const {
 }
 
 Positions Gathered::start(const BodyList& bodies) {
-  start_.resize(vertices_.size());
-  for (std::size_t v = 0; v < vertices_.size(); ++v)
-    start_[v] = member(bodies, vertices_[v].body).start_of(vertices_[v].own);
+  start_.clear();
+  for (const auto& [id, own] : vertices_) start_.push_back(member(bodies, id).start_of(own));
   return start_;
 }
 
 Step Gathered::step(const BodyList& bodies) {
-  end_.resize(vertices_.size());
-  for (std::size_t v = 0; v < vertices_.size(); ++v)
-    end_[v] = member(bodies, vertices_[v].body).end_of(vertices_[v].own);
+  end_.clear();
+  for (const auto& [id, own] : vertices_) end_.push_back(member(bodies, id).end_of(own));
   return {start(bodies), end_};
 }
 

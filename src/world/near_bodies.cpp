@@ -24,8 +24,7 @@ NearBodies::NearBodies(Isa isa) : split_(kernels(isa).trees.split) {}
 
 std::vector<BodyPair> NearBodies::find(const BodyList& bodies, const BodyWidening& widening, double separation,
                                        During during) {
-  if (!knows_still_) still_ = BodyTree(bodies, true, during, widening, split_);
-  knows_still_ = true;
+  if (!still_) still_.emplace(bodies, true, during, widening, split_);
   const BodyTree moving(bodies, false, during, widening, split_);
   std::vector<BodyPair> pairs;
   for (std::size_t i = 0; i < moving.bodies().size(); ++i) {
@@ -35,7 +34,7 @@ std::vector<BodyPair> NearBodies::find(const BodyList& bodies, const BodyWidenin
     moving.for_each_near(box, [&](BodyId other) {
       if (body < other) pairs.push_back({body, other});
     });
-    still_.for_each_near(box, [&](BodyId other) { pairs.push_back({std::min(body, other), std::max(body, other)}); });
+    still_->for_each_near(box, [&](BodyId other) { pairs.push_back({std::min(body, other), std::max(body, other)}); });
   }
   std::ranges::sort(pairs);
   return pairs;

@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "world/body.hpp"
@@ -24,7 +25,6 @@ using BodyWidening = std::function<double(const Body&)>;
 /// A tree of the bodies that are switched on and stay, or of those that are switched on and move.
 class BodyTree {
  public:
-  BodyTree() = default;
   BodyTree(const BodyList& bodies, bool are_still, During during, const BodyWidening& widening, Split split);
 
   /// Calls f(body) for all bodies whose widened hulls may meet the box.
@@ -59,7 +59,7 @@ class NearBodies {
   /// Throws InvalidOptions if this machine lacks the instruction set.
   explicit NearBodies(Isa isa);
   /// To be called when a body that does not move has changed, or its widening.
-  void forget_still() { knows_still_ = false; }
+  void forget_still() { still_.reset(); }
 
   /// Pairs of bodies, ascending, both switched on and not both still, that may come within `separation` plus the
   /// widenings of both.
@@ -67,8 +67,7 @@ class NearBodies {
 
  private:
   Split split_;
-  bool knows_still_ = false;
-  BodyTree still_;
+  std::optional<BodyTree> still_;  ///< once asked for
 };
 
 }  // namespace tamis

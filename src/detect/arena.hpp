@@ -1,6 +1,9 @@
 // The oneTBB arena in which a question runs: the caller's, or one with a number of threads of its own.
 #pragma once
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
+
+#include <algorithm>
 
 #include "query/isolated.hpp"
 
@@ -9,7 +12,9 @@ namespace tamis {
 class Arena {
  public:
   /// `threads`, >= 0: as in Options.
-  explicit Arena(int threads);
+  explicit Arena(int threads) : is_own_(threads > 0) {
+    if (is_own_) arena_.initialize(std::min(threads, most_threads()));
+  }
 
   template <class Work>
   void run(const Work& work) {
@@ -22,6 +27,11 @@ class Arena {
   static int threads_here() { return tbb::this_task_arena::max_concurrency(); }
 
  private:
+  /// The most threads to ask oneTBB for: beyond these it warns on stderr, and a million exhausts its memory.
+  static int most_threads() {
+    return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  }
+
   bool is_own_;  ///< false: the caller's
   tbb::task_arena arena_;
 };

@@ -1,7 +1,9 @@
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <atomic>
 #include <string>
+#include <vector>
 
 #include "detect/arena.hpp"
 #include "detect/list_part.hpp"
@@ -44,54 +46,47 @@ void validate(PairKind kind, std::span<const Point> start, std::span<const Point
                     " at the start and " + std::to_string(end.size()) + " at the end of the step: give as many");
 }
 
-/// `pairs_of(first, last)`: a part of the list. Returns false if some pair is not legal.
-template <class PairsOf>
-bool decide_in_parts(std::span<PairResult> results, const PairOptions& options, const PairsOf& pairs_of) {
-  constexpr std::size_t kGrain = 8192;
+constexpr std::size_t kPairsOfListPart = 8192;
+
+/// Calls decide(first, last, kernels) for the parts of a list. Returns false if one of these calls does: a pair is not
+/// legal.
+template <class Decide>
+bool decide_in_parts(std::size_t count, const PairOptions& options, const Decide& decide) {
   validate(options);
   const Kernels& chosen = kernels(options.isa);
   std::atomic<bool> is_legal{true};
   Arena(options.threads).run([&] {
-    const tbb::blocked_range<std::size_t> all(0, results.size(), kGrain);
+    const tbb::blocked_range<std::size_t> all(0, count, kPairsOfListPart);
     const auto decide_part = [&](const tbb::blocked_range<std::size_t>& part) {
       stop_if_cancelled(options);
-      const auto mine = pairs_of(part.begin(), part.end());
-      if (!decide_part_of_list({mine.pairs, mine.step, chosen, options}, results.subspan(part.begin(), part.size())))
-        is_legal = false;
+      if (!decide(part.begin(), part.end(), chosen)) is_legal = false;
     };
     tbb::parallel_for(all, decide_part, tbb::simple_partitioner());
   });
   return is_legal;
 }
 
-/// A list of pairs that have their own points, one pair's behind the other's.
-struct OwnPairs {
-  OwnPairs(PairKind kind, std::span<const Point> start, std::span<const Point> end)
-      : pairs(start.size() / vertex_count(kind)), step{start, end} {
-    const auto corners = static_cast<Index>(vertex_count(kind));
-    for (Index first = 0; Pair & pair : pairs) {
-      pair = {kind, {first, first + 1, first + 2, first + 3}};
-      first += corners;
-    }
+/// Pairs that have their own points, one pair's behind the other's.
+std::vector<Pair> pairs_in_a_row(PairKind kind, std::size_t count) {
+  std::vector<Pair> pairs(count);
+  const auto corners = static_cast<Index>(vertex_count(kind));
+  for (Index first = 0; Pair & pair : pairs) {
+    pair = {kind, {first, first + 1, first + 2, first + 3}};
+    first += corners;
   }
-
-  std::vector<Pair> pairs;
-  Step step;
-};
-
-struct PartOfList {
-  std::span<const Pair> pairs;
-  const Step& step;
-};
+  return pairs;
+}
 
 }  // namespace
 
 void narrow_phase(std::span<const Pair> pairs, const Step& step, std::span<PairResult> results,
                   const PairOptions& options) {
   validate(pairs, step, results);
-  const bool is_legal = decide_in_parts(results, options, [&](std::size_t first, std::size_t last) {
-    return PartOfList{pairs.subspan(first, last - first), step};
-  });
+  const auto decide = [&](std::size_t first, std::size_t last, const Kernels& kernels) {
+    const std::size_t count = last - first;
+    return decide_part_of_list({pairs.subspan(first, count), step, kernels, options}, results.subspan(first, count));
+  };
+  const bool is_legal = decide_in_parts(results.size(), options, decide);
   if (!is_legal) refuse_first_fault(pairs, step);
 }
 
@@ -105,10 +100,13 @@ void narrow_phase(PairKind kind, std::span<const Point> start, std::span<const P
                   std::span<PairResult> results, const PairOptions& options) {
   validate(kind, start, end, results);
   const std::size_t corners = vertex_count(kind);
-  const bool is_legal = decide_in_parts(results, options, [&](std::size_t first, std::size_t last) {
-    const std::size_t at = corners * first, count = corners * (last - first);
-    return OwnPairs(kind, start.subspan(at, count), end.subspan(at, count));
-  });
+  const std::vector<Pair> pairs = pairs_in_a_row(kind, std::min(results.size(), kPairsOfListPart));  // of each part
+  const auto decide = [&](std::size_t first, std::size_t last, const Kernels& kernels) {
+    const std::size_t count = last - first;
+    const Step step{start.subspan(corners * first, corners * count), end.subspan(corners * first, corners * count)};
+    return decide_part_of_list({std::span(pairs).first(count), step, kernels, options}, results.subspan(first, count));
+  };
+  const bool is_legal = decide_in_parts(results.size(), options, decide);
   if (!is_legal) refuse_first_point(corners, start, end);
 }
 

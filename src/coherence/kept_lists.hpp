@@ -2,6 +2,7 @@
 // decided; they never change the answer.
 #pragma once
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -11,6 +12,11 @@
 #include "query/query.hpp"
 
 namespace tamis {
+
+/// About what a search has cost: for refitting and visiting its trees, and for the pairs whose boxes met.
+struct SearchWork {
+  std::uint64_t trees = 0, pairs = 0;
+};
 
 /// What to list: all pairs that come within their separations on a step although vertices deviate from it.
 struct Listing {

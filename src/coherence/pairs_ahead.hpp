@@ -10,11 +10,6 @@
 
 namespace tamis {
 
-/// About what a search has cost: for refitting and visiting its trees, and for the pairs whose boxes met.
-struct SearchWork {
-  std::uint64_t trees = 0, pairs = 0;
-};
-
 /// Memory is bounded: by the most pairs that CandidateSearch lists, 24 bytes each, with room to grow to twice that; and
 /// by positions.
 class PairsAhead final : public KeptLists {

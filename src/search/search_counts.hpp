@@ -2,7 +2,7 @@
 #pragma once
 #include <initializer_list>
 
-#include "coherence/pairs_ahead.hpp"
+#include "coherence/kept_lists.hpp"
 #include "query/stage_counts.hpp"
 
 namespace tamis {

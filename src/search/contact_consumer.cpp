@@ -19,9 +19,9 @@ void ContactConsumer::consume(PairKind kind) {
   const int count = by_distance ? decide_within_separation(thread(), kind, found_.bound().latest())
                                 : decide_crossings(thread(), kind, thread().kernels.of(kind));
   const PairBuffer& pairs = thread().filtered;
-  decide_singly(kind, add_solved(thread(), count, [&](int i, const PairResult& result) {
-                  add(kind, vertices_of(kind, pairs, i), result);
-                }));
+  decide_left(kind, add_solved(thread(), count, [&](int i, const PairResult& result) {
+                add(kind, vertices_of(kind, pairs, i), result);
+              }));
 }
 
 void ContactConsumer::decide_as_list(PairKind kind) {
@@ -40,7 +40,7 @@ void ContactConsumer::decide_as_list(PairKind kind) {
   thread().counts.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - count);
   const auto left = std::span<const int>(undecided).first(static_cast<std::size_t>(count));
   for (const int pair : left) results[static_cast<std::size_t>(pair)] = {};
-  decide_singly(kind, left);
+  decide_left(kind, left);
   for (int i = 0; i < pairs.count; ++i)
     found_.add(kind, vertices_of(kind, pairs, i), results[static_cast<std::size_t>(i)]);
 }
@@ -62,26 +62,18 @@ void ContactConsumer::add(PairKind kind, const PairVertices& vertices, PairResul
   found_.add(kind, vertices, result);
 }
 
-/// For all contacts, decides every pair. For other questions, a decided pair may spare the next ones.
-void ContactConsumer::decide_singly(PairKind kind, std::span<const int> places) {
-  const PairBuffer& pairs = thread().filtered;
+void ContactConsumer::decide_left(PairKind kind, std::span<const int> places) {
+  const auto vertices_at = [&, &pairs = thread().filtered](int place) { return vertices_of(kind, pairs, place); };
+  const auto wants_it = [&](int place) { return found_.wants(kind, vertices_at(place)); };
   const auto decided = [&](int place, PrecisionCount& counts) {
     stop_if_cancelled(query());
-    const PairVertices vertices = vertices_of(kind, pairs, place);
+    const PairVertices vertices = vertices_at(place);
     const double separation = query().separations.between(kind, vertices);
     return decide({kind, points_of(query().step, vertices), separation}, counts);
   };
-  const auto add_decided = [&](int place, const PairResult& result) {
-    found_.add(kind, vertices_of(kind, pairs, place), result, DecidedBy::singly);
-  };
-  if (query().question == Question::all_contacts) {
-    const std::span<const PairResult> results = decide_each(thread(), places, decided);
-    for (std::size_t i = 0; i < places.size(); ++i) add_decided(places[i], results[i]);
-    return;
-  }
-  for (const int place : places)
-    if (found_.wants(kind, vertices_of(kind, pairs, place)))
-      add_decided(place, decided(place, thread().counts.decided_by));
+  decide_singly(
+      thread(), places, query().question == Question::all_contacts, wants_it, decided,
+      [&](int place, const PairResult& result) { found_.add(kind, vertices_at(place), result, DecidedBy::singly); });
 }
 
 }  // namespace tamis

@@ -36,7 +36,7 @@ class ContactConsumer final : public PairStream {
   void decide_as_list(PairKind kind);
   void add(PairKind kind, const PairVertices& vertices, PairResult result);
   /// `places`: of pairs in thread().filtered.
-  void decide_singly(PairKind kind, std::span<const int> places);
+  void decide_left(PairKind kind, std::span<const int> places);
 
   struct ListScratch {
     std::array<std::int32_t, PairBuffer::kSize> places, undecided;

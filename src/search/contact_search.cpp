@@ -70,7 +70,7 @@ bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& stat
       trees.load_vertices(query.step, query.separations, query.frame, statistics);
       streams_.begin(answer);
       answer.count_ignored_anew();
-      streams_.search_lists(lists, {0, 1}, {0, 1}, float_after(answer.bound().latest()));
+      streams_.search_lists(lists, Sample(), {0, 1}, float_after(answer.bound().latest()));
       gather(answer);
       if (answer.bound().latest() < length) return true;  // pairs that are not listed touch at `length` or later
     }

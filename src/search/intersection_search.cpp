@@ -33,7 +33,7 @@ void IntersectionConsumer::consume(PairKind kind) {
   else
     leave_out_groups(query().filter, kind, thread().boxes);
   const int count = decide_crossings(thread(), kind, thread().kernels.along_edges);
-  decide_singly(add_solved(thread(), count, [&](int pair, const PairResult& result) {
+  decide_left(add_solved(thread(), count, [&](int pair, const PairResult& result) {
     if (depends_on_pair_alone)
       thread().undecided.push_back(pair);
     else
@@ -51,21 +51,16 @@ void IntersectionConsumer::add(int pair, const PairResult& r) {
   if (query().question == Question::is_free) shared_->bound.settle();
 }
 
-/// For is_free one intersection is enough, and spares the pairs after it.
-void IntersectionConsumer::decide_singly(std::span<const int> pairs) {
+void IntersectionConsumer::decide_left(std::span<const int> pairs) {
   const auto decided = [&](int pair, PrecisionCount& counts) {
     stop_if_cancelled(query());
     const PairBuffer& filtered = thread().filtered;
     const PairPoints points = edge_runner_points(query().step.start, edge_of(filtered, pair), face_of(filtered, pair));
     return decide({kEdgeRunner, points}, counts);
   };
-  if (query().question == Question::is_free) {
-    for (const int pair : pairs)
-      if (wants(kEdgeRunner)) add(pair, decided(pair, thread().counts.decided_by));
-    return;
-  }
-  const std::span<const PairResult> results = decide_each(thread(), pairs, decided);
-  for (std::size_t i = 0; i < pairs.size(); ++i) add(pairs[i], results[i]);
+  decide_singly(
+      thread(), pairs, query().question != Question::is_free, [&](int) { return wants(kEdgeRunner); }, decided,
+      [&](int pair, const PairResult& result) { add(pair, result); });
 }
 
 void IntersectionSearch::find(const Query& query, std::vector<Intersection>& found, Statistics& statistics) {

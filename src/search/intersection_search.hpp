@@ -33,7 +33,7 @@ class IntersectionConsumer final : public PairStream {
  private:
   /// `pair`: its place in thread().filtered.
   void add(int pair, const PairResult& result);
-  void decide_singly(std::span<const int> pairs);
+  void decide_left(std::span<const int> pairs);
 
   IntersectionQuery* shared_ = nullptr;
   std::vector<Intersection> found_;

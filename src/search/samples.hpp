@@ -5,9 +5,9 @@
 
 namespace tamis {
 
-/// Leaf blocks first, first + stride, ...
+/// Leaf blocks first, first + stride, ...; by default all of them.
 struct Sample {
-  int first, stride;
+  int first = 0, stride = 1;
 
   /// How many of `blocks` leaf blocks are in the sample.
   int count_in(int blocks) const { return blocks > first ? (blocks - first + stride - 1) / stride : 0; }
@@ -18,7 +18,7 @@ struct Sample {
 class Samples {
  public:
   /// All blocks at once.
-  Samples() { add({0, 1}); }
+  Samples() { add({}); }
   /// Up to kMostSamples samples of `blocks` leaf blocks. A sample has an overhead, so the first has at least
   /// kFewestBlocks.
   explicit Samples(int blocks) {

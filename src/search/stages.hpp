@@ -38,13 +38,20 @@ std::span<const int> add_solved(SearchThread& thread, int count, const Add& add)
   return thread.undecided;
 }
 
-/// Returns decide(place, counts) for each place of a pair in thread.filtered; the results are in thread.decided. A pair
-/// takes a microsecond or a hundred, so threads that have nothing else to do share the pairs.
-template <class Decide>
-std::span<const PairResult> decide_each(SearchThread& thread, std::span<const int> places, const Decide& decide) {
+/// Calls add(place, decide(place, counts)) for the pairs at these places of thread.filtered. If `all` are wanted,
+/// threads that have nothing else to do share them, as a pair takes a microsecond or a hundred; else a decided pair may
+/// spare the next ones: only those that wants(place) then are decided.
+template <class Wants, class Decide, class Add>
+void decide_singly(SearchThread& thread, std::span<const int> places, bool all, const Wants& wants,
+                   const Decide& decide, const Add& add) {
+  if (!all) {
+    for (const int place : places)
+      if (wants(place)) add(place, decide(place, thread.counts.decided_by));
+    return;
+  }
+  if (places.empty()) return;
   constexpr std::size_t kGrain = 16;
   thread.decided.resize(places.size());
-  if (places.empty()) return {};
   const auto decide_part = [&](std::size_t begin, std::size_t end) {
     PrecisionCount counts;
     for (; begin != end; ++begin) thread.decided[begin] = decide(places[begin], counts);
@@ -54,7 +61,7 @@ std::span<const PairResult> decide_each(SearchThread& thread, std::span<const in
     const auto sum = [](PrecisionCount a, const PrecisionCount& b) { return a += b; };
     thread.counts.decided_by += joined_parts(places.size(), kGrain, PrecisionCount(), sum, decide_part);
   });
-  return thread.decided;
+  for (std::size_t i = 0; i < places.size(); ++i) add(places[i], thread.decided[i]);
 }
 
 }  // namespace tamis

@@ -78,10 +78,11 @@ void StepLengthSearch::ask(StepLengthQuery& asked, Statistics& statistics) {
 }
 
 void StepLengthSearch::search_trees(StepLengthQuery& asked) {
-  const Samples samples = asked.lists_all ? Samples() : Samples(workspace_.trees.most_leaf_blocks());
+  if (asked.lists_all) return streams_.search_trees();
+  const Samples samples(workspace_.trees.most_leaf_blocks());
   const Sample& first = *samples.begin();
   streams_.search_trees(first);
-  if (!asked.lists_all && meets_many(first)) search_short_steps(asked.bound, samples);
+  if (meets_many(first)) search_short_steps(asked.bound, samples);
   for (const Sample& sample : std::span(samples).subspan(1)) streams_.search_trees(sample);
 }
 

@@ -26,12 +26,12 @@ class ThreadStreams {
   }
 
   /// Searches the sample's leaf blocks for pairs of all kinds that may touch until `t_limit`.
-  void search_trees(const Sample& sample = {0, 1}, float t_limit = 1) {
+  void search_trees(const Sample& sample = {}, float t_limit = 1) {
     workspace_.trees.for_each_kind(
         [&](PairKind kind, const TreeView& a, const TreeView& b) { search(kind, a, b, sample, t_limit); });
   }
   /// Searches the sample's leaf blocks of `a` against all of `b`.
-  void search(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample = {0, 1}, float t_limit = 1) {
+  void search(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample = {}, float t_limit = 1) {
     constexpr int kFewBlocks = 16, kBlocksPerPart = 8;  // waking other threads takes longer than a few blocks
     const int count = sample.count_in(a.leaf_blocks);
     for_each_part(kind, count, count <= kFewBlocks ? kFewBlocks : kBlocksPerPart,
@@ -43,9 +43,17 @@ class ThreadStreams {
 
   /// Takes the sample of the lists' parts, in place of leaf blocks: pairs that may touch at some time of `when`, for
   /// contacts until `t_limit`. `when` is in times of the lists' step, `t_limit` in times of the query's.
-  void search_lists(const PairLists& lists, const Sample& sample = {0, 1}, const TimeInterval<float>& when = {0, 1},
+  void search_lists(const PairLists& lists, const Sample& sample = {}, const TimeInterval<float>& when = {0, 1},
                     float t_limit = 1) {
-    for (std::size_t i = 0; i < kPairKinds; ++i) search(static_cast<PairKind>(i), lists, sample, when, t_limit);
+    for (std::size_t i = 0; i < kPairKinds; ++i) {
+      const auto kind = static_cast<PairKind>(i);
+      const PairList& list = lists[kind];
+      const int count = sample.count_in(static_cast<int>(list.parts()));
+      for_each_part(kind, count, 1, [&](PairStream& stream, int begin, int end) {
+        for (int part = begin; part < end; ++part)
+          stream.search(kind, list.part(static_cast<std::size_t>(sample.first + part * sample.stride)), when, t_limit);
+      });
+    }
   }
 
   template <class F>
@@ -84,16 +92,6 @@ class ThreadStreams {
   }
 
  private:
-  void search(PairKind kind, const PairLists& lists, const Sample& sample, const TimeInterval<float>& when,
-              float t_limit) {
-    const PairList& list = lists[kind];
-    const int count = sample.count_in(static_cast<int>(list.parts()));
-    for_each_part(kind, count, 1, [&](PairStream& stream, int begin, int end) {
-      for (int i = begin; i < end; ++i)
-        stream.search(kind, list.part(static_cast<std::size_t>(sample.first + i * sample.stride)), when, t_limit);
-    });
-  }
-
   /// Calls f(the thread's stream, begin, end) for parts of 0 to `count`, unless no pair of the kind is wanted any more.
   template <class F>
   void for_each_part(PairKind kind, int count, int grain, const F& f) {

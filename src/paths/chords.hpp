@@ -136,6 +136,13 @@ class Chords {
   const StraightDirections& directions_;
 };
 
+/// The sign of the coplanarity at one time; 0 if its interval holds zero.
+template <class T>
+int side_of(const Vec3<BasicInterval<T>>& e, const Vec3<BasicInterval<T>>& f, const Vec3<BasicInterval<T>>& d) {
+  const BasicInterval<T> k = dot(d, cross(e, f));
+  return k.lower > T(0) ? 1 : k.upper < T(0) ? -1 : 0;
+}
+
 /// Do the features cross, each strictly inside the other, whenever their four points are coplanar during the motion?
 /// Proven if the side polynomials of NCF have the strict signs of the inside.
 template <PairKind kind, class T>

@@ -1,10 +1,9 @@
-#include "paths/crossing_on_path.hpp"
-
 #include <algorithm>
 
 #include "narrow/crossing.hpp"
 #include "numerics/assert.hpp"
 #include "paths/chords.hpp"
+#include "paths/first_on_path.hpp"
 #include "paths/path_parts.hpp"
 
 namespace tamis {

@@ -4,8 +4,7 @@
 #include "narrow/contact_normal.hpp"
 #include "numerics/assert.hpp"
 #include "paths/chords.hpp"
-#include "paths/crossing_on_path.hpp"
-#include "paths/within_on_path.hpp"
+#include "paths/first_on_path.hpp"
 
 namespace tamis {
 namespace {

@@ -23,6 +23,14 @@ Moment<T> completed(Moment<T> moment, std::size_t count) {
   return moment;
 }
 
+/// Zero for an unbounded interval: the moment's infinite error covers that.
+double finite_middle(const Interval& x) {
+  const double middle = x.middle();
+  return std::isfinite(middle) ? middle : 0;
+}
+
+Point middle_of(const Vec3<Interval>& p) { return {finite_middle(p.x), finite_middle(p.y), finite_middle(p.z)}; }
+
 StraightDirection direction_of(Index vertex, const Point& given) {
   if (!is_finite(given))
     throw InvalidPath("vertex " + std::to_string(vertex) +
@@ -61,6 +69,15 @@ void check_deviation(Index vertex, double from, double to, double deviation) {
   throw InvalidPath("vertex " + std::to_string(vertex) + " of the path deviates by " + number_text(deviation) +
                     " between t = " + number_text(from) + " and " + number_text(to) +
                     ": give a bound >= 0 of its distance from the chord");
+}
+
+PairPoints points_between(const Moment<double>& from, const Moment<double>& to) {
+  PairPoints points;
+  for (std::size_t i = 0; i < 4; ++i) {
+    points.start[i] = middle_of(from.points[i]);
+    points.end[i] = middle_of(to.points[i]);
+  }
+  return points;
 }
 
 PairReader::PairReader(const Path& path, const PairVertices& vertices, double time_of_unit)

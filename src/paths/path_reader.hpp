@@ -22,6 +22,13 @@ struct Moment {
   double error = 0;  ///< the width of the widest interval
 };
 
+/// The middles of the intervals at two moments; finite even where an error is not.
+PairPoints points_between(const Moment<double>& from, const Moment<double>& to);
+
+/// A bound of the difference between the distance of two points, one of each feature, and that of their intervals'
+/// middles: sqrt(3) half widths for each point, doubled because middles are rounded. `error`: Moment::error.
+inline double position_slack(double error) { return 4 * error + 0x1p-999; }
+
 /// A direction along which a vertex goes straight, and 1 / its length, rounded up; zeros if none is known.
 struct StraightDirection {
   Vec3<double> direction{0, 0, 0};

@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "narrow/near_pair.hpp"
+#include "paths/decide_path.hpp"
+#include "paths/path_reader.hpp"
 #include "paths/path_search.hpp"
-#include "paths/within_on_path.hpp"
 
 namespace tamis {
 

@@ -1,5 +1,3 @@
-#include "paths/within_on_path.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +5,7 @@
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
 #include "paths/chords.hpp"
+#include "paths/first_on_path.hpp"
 #include "paths/path_parts.hpp"
 
 namespace tamis {
@@ -15,14 +14,6 @@ namespace {
 constexpr int kMostPartsWithin = 1 << 16;
 /// The share of a part's rest that is tested next, once the chords are no longer proven apart.
 constexpr double kNext = 0x1p-5;
-
-/// Zero for an unbounded interval: the moment's infinite error covers that.
-double finite_middle(const Interval& x) {
-  const double middle = x.middle();
-  return std::isfinite(middle) ? middle : 0;
-}
-
-Point middle_of(const Vec3<Interval>& p) { return {finite_middle(p.x), finite_middle(p.y), finite_middle(p.z)}; }
 
 /// The largest deviation and error that two points, one of each feature, can have together.
 double slack_of(const PathPart<double>& part, const std::array<double, 4>& deviations) {
@@ -47,15 +38,6 @@ bool touches_at(PairKind kind, const Moment<double>& moment, double separation) 
 }
 
 }  // namespace
-
-PairPoints points_between(const Moment<double>& from, const Moment<double>& to) {
-  PairPoints points;
-  for (std::size_t i = 0; i < 4; ++i) {
-    points.start[i] = middle_of(from.points[i]);
-    points.end[i] = middle_of(to.points[i]);
-  }
-  return points;
-}
 
 bool is_apart_at(PairKind kind, const Moment<double>& moment, double separation) {
   const double beyond = (separation + position_slack(moment.error)) * kRoundedUp;

@@ -14,7 +14,8 @@ void PairStream::begin(const Query& query) {
   thread_.boxes.count = 0;
 }
 
-void PairStream::search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit) {
+void PairStream::search(PairKind kind, const TreeView& a, const TreeView& b, const Sample& blocks, int count,
+                        float t_limit) {
   begin_search(kind);
   Search search{a, b};
   search.t_limit = t_limit;
@@ -24,8 +25,7 @@ void PairStream::search(PairKind kind, const TreeView& a, const TreeView& b, con
   search.flush = flush;
   search.context = this;
   const SearchKernel find = kernel(kind);
-  for (int block = blocks.first; block < blocks.last && wants(kind); block += blocks.stride)
-    search_block(find, search, block);
+  for (int i = 0; i < count && wants(kind); ++i) search_block(find, search, blocks.block(i));
   thread_.counts.nodes_visited += search.nodes_visited;
   thread_.counts.traverse += thread_.watch.lap();
 }

@@ -3,14 +3,10 @@
 #pragma once
 #include "coherence/pair_lists.hpp"
 #include "query/query.hpp"
+#include "search/samples.hpp"
 #include "search/workspace.hpp"
 
 namespace tamis {
-
-/// Leaf blocks first, first + stride, ... below last.
-struct BlockRange {
-  int first, last, stride;
-};
 
 /// One is made for each thread, and begins anew with each query.
 class PairStream {
@@ -20,9 +16,9 @@ class PairStream {
   virtual ~PairStream() = default;
   PairStream(const PairStream&) = delete;
 
-  /// Searches every `blocks.stride`-th leaf block of `a` against all of `b`, for pairs that may touch until `t_limit`.
-  /// REQUIRES, like the next function: no pairs of another kind in the buffer.
-  void search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit);
+  /// Searches the first `count` leaf blocks of a sample of `a` against all of `b`, for pairs that may touch until
+  /// `t_limit`. REQUIRES, like the next function: no pairs of another kind in the buffer.
+  void search(PairKind kind, const TreeView& a, const TreeView& b, const Sample& blocks, int count, float t_limit);
   /// Takes the pairs of a list that may touch at some time of `when`, for contacts until `t_limit`. `when` is in times
   /// of the list's step, `t_limit` in times of the query's.
   void search(PairKind kind, std::span<const Candidate> pairs, const TimeInterval<float>& when, float t_limit);

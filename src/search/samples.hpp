@@ -9,6 +9,7 @@ namespace tamis {
 struct Sample {
   int first = 0, stride = 1;
 
+  int block(int i) const { return first + i * stride; }
   /// How many of `blocks` leaf blocks are in the sample.
   int count_in(int blocks) const { return blocks > first ? (blocks - first + stride - 1) / stride : 0; }
 };

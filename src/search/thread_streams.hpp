@@ -1,7 +1,5 @@
 // The streams of all threads that take part in a question.
 #pragma once
-#include <algorithm>
-
 #include "numerics/in_parts.hpp"
 #include "search/pair_stream.hpp"
 #include "search/samples.hpp"
@@ -36,8 +34,7 @@ class ThreadStreams {
     const int count = sample.count_in(a.leaf_blocks);
     for_each_part(kind, count, count <= kFewBlocks ? kFewBlocks : kBlocksPerPart,
                   [&](PairStream& stream, int begin, int end) {
-                    const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
-                    stream.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit);
+                    stream.search(kind, a, b, {sample.block(begin), sample.stride}, end - begin, t_limit);
                   });
   }
 
@@ -51,7 +48,7 @@ class ThreadStreams {
       const int count = sample.count_in(static_cast<int>(list.parts()));
       for_each_part(kind, count, 1, [&](PairStream& stream, int begin, int end) {
         for (int part = begin; part < end; ++part)
-          stream.search(kind, list.part(static_cast<std::size_t>(sample.first + part * sample.stride)), when, t_limit);
+          stream.search(kind, list.part(static_cast<std::size_t>(sample.block(part))), when, t_limit);
       });
     }
   }

@@ -45,11 +45,6 @@ class PathParts {
     return true;
   }
 
-  /// Adds a part, cut in two if `time` lies strictly within it.
-  void add(const PathPart<T>& part, double time) {
-    if (!cut(part, time)) parts_.push_back(part);
-  }
-
   /// Cuts a part in up to three, `middle` being one of them.
   void cut(const PathPart<T>& part, const TimeInterval<double>& middle) {
     const bool has_end = middle.t_out < part.to.time;

@@ -65,7 +65,7 @@ Decision first_within_on_path(const PathQuestion& question, const PairReader& re
     const double next = lower + kNext * (to - lower);
     const bool is_short = to - from <= 0x1p-50 * to || to - from < 0x1p-100 || !(next > lower);
     if (is_short || parts.taken() > kMostPartsWithin) return {Verdict::unsure, lower, to};
-    parts.add({lower > from ? reader.at<double>(lower) : part->from, part->to}, next);
+    parts.cut({lower > from ? reader.at<double>(lower) : part->from, part->to}, next);
   }
   return {};
 }

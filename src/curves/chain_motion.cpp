@@ -120,14 +120,12 @@ Point fixed_axis(const Chain& chain) {
   return axis;
 }
 
-ChainBounds::LinkBounds::LinkBounds(const Link& link)
-    : turn(change(link.start.rotation, link.end.rotation)),
-      displacement(change(link.start.position, link.end.position)),
-      position(farthest(link.start.position, link.end.position)) {}
-
 ChainBounds::ChainBounds(const Chain& chain)
-    : links_(chain.begin(), chain.end()),
-      turns_(std::ranges::any_of(chain, [](const Link& link) { return link.start.rotation != link.end.rotation; })) {}
+    : turns_(std::ranges::any_of(chain, [](const Link& link) { return link.start.rotation != link.end.rotation; })) {
+  for (const auto& [start, end] : chain)
+    links_.push_back({Interval(change(start.rotation, end.rotation)), Interval(change(start.position, end.position)),
+                      Interval(farthest(start.position, end.position))});
+}
 
 /// From the innermost link outward, bounds y and its derivatives, where a link takes x, the point that the inner links
 /// leave, to y = R x + p. With |R'| <= w and |R''| <= w^2 for a rotation vector that changes by w (docs/numerics.md,

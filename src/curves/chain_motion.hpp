@@ -90,7 +90,6 @@ class ChainBounds {
  private:
   /// Of one link: how far its rotation vector and its position change, and how far from zero the position is at most.
   struct LinkBounds {
-    explicit LinkBounds(const Link& link);
     Interval turn, displacement, position;
   };
   std::vector<LinkBounds> links_;

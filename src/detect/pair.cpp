@@ -15,14 +15,12 @@
 namespace tamis {
 namespace {
 
-template <std::size_t count>
-void check_finite(const std::array<Point, count>& points, const char* when) {
-  for (std::size_t i = 0; i < count; ++i)
+void check_finite(std::span<const Point> points, const char* when) {
+  for (std::size_t i = 0; i < points.size(); ++i)
     if (!is_finite(points[i].data())) throw InvalidStep(not_finite(i, when));
 }
 
-template <std::size_t count>
-PairResult decide_points(PairKind kind, const std::array<Point, count>& start, const std::array<Point, count>& end,
+PairResult decide_points(PairKind kind, std::span<const Point> start, std::span<const Point> end,
                          const PairOptions& options) {
   check_finite(start, "start");
   check_finite(end, "end");

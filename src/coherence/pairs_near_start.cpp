@@ -34,17 +34,16 @@ bool PairsNearStart::begin(const Query& query, double fraction, bool lists_all) 
   fraction_ = fraction;
   lists_all_ = lists_all;
   same_start_ = has_same_start(query.step);
-  if (same_start_) {
-    is_truncated_again_ |= is_truncated_ && !lists_all;
-    is_truncated_ |= lists_all;
-    for_each_in_parts(mesh_.points(), kVerticesPerPart, [&](Index v) {
-      displacements_[at(v)] = std::max(displacements_[at(v)], displacement_bound(query.step, v));
-    });
-    if (are_listed_ && covers(query)) return true;
-  } else {
+  if (!same_start_) {
     start_anew(query.step);
+    return false;
   }
-  return false;
+  is_truncated_again_ |= is_truncated_ && !lists_all;
+  is_truncated_ |= lists_all;
+  for_each_in_parts(mesh_.points(), kVerticesPerPart, [&](Index v) {
+    displacements_[at(v)] = std::max(displacements_[at(v)], displacement_bound(query.step, v));
+  });
+  return are_listed_ && covers(query);
 }
 
 void PairsNearStart::start_anew(const Step& step) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 #include <span>
 
@@ -15,18 +16,15 @@ namespace {
 /// The nodes that have all their items in a set, each tested when first asked for; items added later do not count.
 class WholeNodes {
  public:
-  WholeNodes(const BoxTree& tree, const IndexSet& near)
-      : tree_(tree), near_(near), answers_(at(tree.node_count()), Answer::none) {}
+  WholeNodes(const BoxTree& tree, const IndexSet& near) : tree_(tree), near_(near), answers_(at(tree.node_count())) {}
 
   bool has(Index node) {
-    Answer& answer = answers_[at(node)];
-    if (answer == Answer::none) answer = is_whole(node) ? Answer::yes : Answer::no;
-    return answer == Answer::yes;
+    std::optional<bool>& answer = answers_[at(node)];
+    if (!answer) answer = is_whole(node);
+    return *answer;
   }
 
  private:
-  enum class Answer : char { none, yes, no };
-
   bool is_whole(Index node) {
     if (tree_.is_leaf(node)) return near_.has_all(tree_.items_of(node));
     bool has_all = true;
@@ -36,7 +34,7 @@ class WholeNodes {
 
   const BoxTree& tree_;
   const IndexSet& near_;
-  std::vector<Answer> answers_;
+  std::vector<std::optional<bool>> answers_;
 };
 
 class PairWalk {

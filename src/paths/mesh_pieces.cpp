@@ -36,7 +36,6 @@ MeshPieces::MeshPieces(const Mesh& mesh, const Path& path, std::span<const doubl
 
 MeshMoment MeshPieces::next(const MeshMoment& from) {
   MeshMoment to = moment_at(end_of(from));
-  read_deviations(from.time, to.time, deviations_);
   shift_chords(from, to);
   return to;
 }
@@ -48,21 +47,22 @@ MeshMoment MeshPieces::moment_at(double time) const {
   return moment;
 }
 
-void MeshPieces::read_deviations(double from, double to, std::vector<double>& deviations) const {
-  deviations.resize(all_.size());
+std::vector<double> MeshPieces::deviations(double from, double to) const {
+  std::vector<double> deviations(all_.size());
   path_.deviations(from, to, all_, deviations);
   for (const Index v : mesh_.points()) check_deviation(v, from, to, deviations[at(v)]);
+  return deviations;
 }
 
 /// A few vertices may deviate more than allowed, such as those far from an axis of rotation: n of them if n^2 is at
 /// most a sixteenth of the number of all vertices.
-double MeshPieces::end_of(const MeshMoment& start) {
+double MeshPieces::end_of(const MeshMoment& start) const {
   if (!ends_.empty()) return *std::ranges::upper_bound(ends_, start.time);
   const double allowed = deviation_in_edges_ * mean_fine_edge(mesh_, start.points);
-  const auto deviates_more = [&](Index v) { return kShiftedChordPart * deviations_[at(v)] > allowed; };
   double length = 1 - start.time;
   for (; allowed > 0 && length > kShortestPiece; length *= kNearMiddle) {
-    read_deviations(start.time, start.time + length, deviations_);
+    const std::vector<double> bounds = deviations(start.time, start.time + length);
+    const auto deviates_more = [&](Index v) { return kShiftedChordPart * bounds[at(v)] > allowed; };
     const auto count = static_cast<std::size_t>(std::ranges::count_if(mesh_.points(), deviates_more));
     constexpr std::size_t kVerticesPerPairOfThem = 16;
     if (kVerticesPerPairOfThem * count * count <= mesh_.points().size()) break;
@@ -80,16 +80,16 @@ void MeshPieces::adapt_length(std::size_t pairs) {
     deviation_in_edges_ = std::max(deviation_in_edges_ / kFactor, kChordDeviationInEdges);
 }
 
-std::vector<double> MeshPieces::displacements() {
+std::vector<double> MeshPieces::displacements() const {
   const MeshMoment from = moment_at(0), to = moment_at(1);
-  read_deviations(0, 1, deviations_);
+  const std::vector<double> bounds = deviations(0, 1);
   std::vector<double> farthest(all_.size());
   for (const Index index : mesh_.points()) {
     const std::size_t v = at(index);
     Point displacement{};
     for (std::size_t k = 0; k < 3; ++k)
       displacement[k] = std::fabs(to.points[v][k] - from.points[v][k]) + from.errors[v] + to.errors[v];
-    farthest[v] = length_of(displacement[0], displacement[1], displacement[2]) + deviations_[v];
+    farthest[v] = length_of(displacement[0], displacement[1], displacement[2]) + bounds[v];
   }
   return farthest;
 }
@@ -100,20 +100,18 @@ std::vector<double> MeshPieces::displacements() {
 /// the piece's chord shifted by D / 2. If bounds go by the square of the length, |D| is at most the piece's bound, and
 /// those of the halves are a fourth of it: 1/2 + 1/4 = kShiftedChordPart.
 void MeshPieces::shift_chords(const MeshMoment& from, const MeshMoment& to) {
+  chords_ = {from.points, to.points, deviations(from.time, to.time)};
   const MeshMoment middle = moment_at(0.5 * from.time + 0.5 * to.time);
-  read_half_deviations(from.time, middle.time, to.time);
-  chords_.start = from.points;
-  chords_.end = to.points;
-  chords_.deviations = deviations_;
+  const std::vector<double> of_halves = half_deviations(from.time, middle.time, to.time);
   for (const Index index : mesh_.points()) {
     const std::size_t v = at(index);
     const auto [offset, error] = chord_offset(v, from, middle, to);
-    const double distance = quick_length_of(offset[0], offset[1], offset[2]), bound = deviations_[v];
+    const double distance = quick_length_of(offset[0], offset[1], offset[2]), bound = chords_.deviations[v];
     if (!(distance <= bound + error))
       throw InvalidPath("vertex " + std::to_string(index) + " of the path is " + number_text(distance) +
                         " from its chord at t = " + number_text(middle.time) + ", beyond its bound " +
                         number_text(bound) + ": give a bound that holds");
-    const double deviation = (0.5 * distance + error + half_deviations_[v]) * kRoundedUp;
+    const double deviation = (0.5 * distance + error + of_halves[v]) * kRoundedUp;
     if (!(deviation < bound)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       chords_.start[v][k] += 0.5 * offset[k];
@@ -140,14 +138,12 @@ MeshPieces::ChordOffset MeshPieces::chord_offset(std::size_t v, const MeshMoment
   return result;
 }
 
-/// Sets half_deviations_: to infinity if no double lies between `from` and `to`.
-void MeshPieces::read_half_deviations(double from, double middle, double to) {
-  half_deviations_.assign(all_.size(), std::numeric_limits<double>::infinity());
-  if (!(from < middle && middle < to)) return;
-  std::vector<double> of_second;
-  read_deviations(from, middle, half_deviations_);
-  read_deviations(middle, to, of_second);
-  for (const Index v : mesh_.points()) half_deviations_[at(v)] = std::max(half_deviations_[at(v)], of_second[at(v)]);
+std::vector<double> MeshPieces::half_deviations(double from, double middle, double to) const {
+  if (!(from < middle && middle < to)) return std::vector<double>(all_.size(), std::numeric_limits<double>::infinity());
+  std::vector<double> larger = deviations(from, middle);
+  const std::vector<double> of_second = deviations(middle, to);
+  for (const Index v : mesh_.points()) larger[at(v)] = std::max(larger[at(v)], of_second[at(v)]);
+  return larger;
 }
 
 }  // namespace tamis

@@ -40,12 +40,14 @@ class MeshPieces {
   /// Adapts the length of the next piece to the number of pairs that the last one left undecided.
   void adapt_length(std::size_t pairs);
   /// For each vertex an upper bound of its distance from its start, at any time; 0 for vertices that take no part.
-  std::vector<double> displacements();
+  std::vector<double> displacements() const;
 
  private:
-  /// Asks the path for deviations between two times, and checks them.
-  void read_deviations(double from, double to, std::vector<double>& deviations) const;
-  double end_of(const MeshMoment& start);
+  /// The path's deviations between two times, checked.
+  std::vector<double> deviations(double from, double to) const;
+  /// Of each vertex the larger of its deviations on both halves; infinite if no double lies between `from` and `to`.
+  std::vector<double> half_deviations(double from, double middle, double to) const;
+  double end_of(const MeshMoment& start) const;
   /// The vector from the chord's middle to the path's position there; off by at most `error`.
   struct ChordOffset {
     Point offset;
@@ -54,14 +56,11 @@ class MeshPieces {
   ChordOffset chord_offset(std::size_t v, const MeshMoment& from, const MeshMoment& middle, const MeshMoment& to) const;
   /// Sets chords_. Throws if a vertex is farther from its chord in the middle than its bound promises.
   void shift_chords(const MeshMoment& from, const MeshMoment& to);
-  void read_half_deviations(double from, double middle, double to);
 
   const Mesh& mesh_;
   const Path& path_;
   const std::span<const double> ends_;
-  const std::vector<Index> all_;         ///< 0, 1, 2, ...
-  std::vector<double> deviations_;       ///< from the chords of a piece
-  std::vector<double> half_deviations_;  ///< of each vertex the larger of those on both halves
+  const std::vector<Index> all_;  ///< 0, 1, 2, ...
   ShiftedChords chords_;
   double deviation_in_edges_ = kChordDeviationInEdges;  ///< allowed on the next piece
 };

@@ -11,12 +11,12 @@
 #include <algorithm>
 #include <tuple>
 
-#include "lab/contacts_engine.hpp"
 #include "lab/paper/hierarchy.hpp"
 #include "lab/paper/patch_culling.hpp"
 #include "lab/paper/tester.hpp"
 #include "lab/topology/orphan_sets.hpp"
 #include "lab/topology/surface.hpp"
+#include "query/engine.hpp"
 #include "query/stage_counts.hpp"
 #include "query/stopwatch.hpp"
 
@@ -37,10 +37,12 @@ HighLevelCulling high_level_of(const PaperOptions& paper) {
   return may_cull ? paper.high_level : HighLevelCulling::none;
 }
 
-class PaperEngine final : public ContactsEngine {
+/// Finds contacts; leaves all other questions to the method `tamis`.
+class PaperEngine final : public Engine {
  public:
   PaperEngine(const Mesh& mesh, const tamis::Options& options, const PaperOptions& paper, TriangleCounts* counts)
-      : ContactsEngine(mesh, options),
+      : asked_mesh_(mesh),
+        asked_options_(options),
         paper_(paper),
         counts_(counts),
         surface_(mesh),
@@ -58,15 +60,32 @@ class PaperEngine final : public ContactsEngine {
                hierarchy_);
     collect(answer, statistics, watch.seconds());
   }
-
- private:
-  std::uint64_t memory_for_contacts() const override {
-    std::uint64_t bytes = patches_.memory_bytes() + scene_.points.memory_bytes() + scene_.boxes.memory_bytes() +
-                          scene_.triangles.capacity() * sizeof(TriangleFeatures) +
+  SafeStep find_step_length(const Query& query, double fraction, Statistics& statistics) override {
+    return others().find_step_length(query, fraction, statistics);
+  }
+  void find_step_ends(const Query& query, double fraction, std::vector<StepLimit>& ends,
+                      Statistics& statistics) override {
+    others().find_step_ends(query, fraction, ends, statistics);
+  }
+  void find_near(const Query& query, std::vector<NearPair>& pairs, Statistics& statistics) override {
+    others().find_near(query, pairs, statistics);
+  }
+  void find_intersections(const Query& query, std::vector<Intersection>& found, Statistics& statistics) override {
+    others().find_intersections(query, found, statistics);
+  }
+  std::uint64_t memory_bytes() const override {
+    std::uint64_t bytes = held_bytes(others_) + patches_.memory_bytes() + scene_.points.memory_bytes() +
+                          scene_.boxes.memory_bytes() + scene_.triangles.capacity() * sizeof(TriangleFeatures) +
                           std::visit([](const auto& h) { return h.memory_bytes(); }, hierarchy_);
     for (const auto* pairs : {&orphans_.vf, &orphans_.ee}) bytes += pairs->capacity() * sizeof((*pairs)[0]);
     for (const PaperTester& tester : testers_) bytes += tester.memory_bytes();
     return bytes;
+  }
+
+ private:
+  Engine& others() {
+    if (!others_) others_ = make_tamis_engine(asked_mesh_, asked_options_);
+    return *others_;
   }
 
   void update_bounds(Statistics& statistics) {
@@ -185,6 +204,9 @@ class PaperEngine final : public ContactsEngine {
   static constexpr std::size_t kParts = 1024;  ///< enough for any number of threads to share evenly
   static constexpr std::size_t kChunk = 4096;
 
+  const Mesh& asked_mesh_;
+  const tamis::Options& asked_options_;
+  std::unique_ptr<Engine> others_;  ///< made by the first question that needs it
   const PaperOptions paper_;
   TriangleCounts* const counts_;
   Surface surface_;

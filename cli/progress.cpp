@@ -14,8 +14,8 @@ Progress::Progress(std::size_t total, const char* unit)
 
 void Progress::show(std::size_t done) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-  constexpr double kPatience = 2;
-  if (!is_terminal_ || total_ == 0 || elapsed.count() < kPatience) return;
+  constexpr double kQuietSeconds = 2;
+  if (!is_terminal_ || total_ == 0 || elapsed.count() < kQuietSeconds) return;
   constexpr std::size_t kWidth = 30;
   const std::size_t full = kWidth * done / total_;
   const double left = done == 0 ? 0 : elapsed.count() * static_cast<double>(total_ - done) / static_cast<double>(done);

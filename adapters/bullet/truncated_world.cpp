@@ -40,7 +40,7 @@ namespace {
 /// The fraction of each distance that is kept; Detector::truncate's default.
 constexpr double kKept = 0.1;
 /// How many further questions `way_towards` may ask.
-constexpr int kMore = 3;
+constexpr int kFurtherQuestions = 3;
 
 /// Returns positions on the way from start to end. If a contact stops some vertices early, one question lets all others
 /// go only a quarter of an edge farther. Further questions let them go on; their gain counts if the straight way from
@@ -51,7 +51,7 @@ std::vector<Point> way_towards(Detector& detector, const std::vector<Point>& sta
   };
   const std::vector<Point> first = truncated(start);
   std::vector<Point> reached = first;
-  for (int i = 0; i < kMore && reached != end; ++i) reached = truncated(reached);
+  for (int i = 0; i < kFurtherQuestions && reached != end; ++i) reached = truncated(reached);
   return reached == first || detector.is_free({start, reached}) ? reached : first;
 }
 

@@ -27,14 +27,14 @@ void be_silent() {
 /// agreed upon. Returns false after some time if this rank has failed alone (it had no memory to agree): then the
 /// others wait for it elsewhere, for ever.
 bool all_have_come(bool has_failed) {
-  constexpr auto kPatience = std::chrono::seconds(10);
+  constexpr auto kLongestWait = std::chrono::seconds(10);
   const auto start = std::chrono::steady_clock::now();
   MPI_Request barrier = MPI_REQUEST_NULL;
   MPI_Ibarrier(MPI_COMM_WORLD, &barrier);
   for (int have_come = 0;;) {
     MPI_Test(&barrier, &have_come, MPI_STATUS_IGNORE);
     if (have_come != 0) return true;
-    if (has_failed && std::chrono::steady_clock::now() - start > kPatience) return false;
+    if (has_failed && std::chrono::steady_clock::now() - start > kLongestWait) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }

@@ -14,8 +14,8 @@ namespace {
 
 /// Other ranks may have the first contact until this time: its bracket may end a little later than the least upper end.
 double soon_after(double time) {
-  constexpr double kRoom = 0x1p-10;
-  return std::min(time + kRoom, 1.0);
+  constexpr double kWidestBracket = 0x1p-10;
+  return std::min(time + kWidestBracket, 1.0);
 }
 
 }  // namespace

@@ -49,10 +49,10 @@ struct Times {
   /// in time, as both ends are rounded once. NaN leaves out nothing. Where the difference overflows, the quotients are
   /// 0, which leave out nothing either.
   void leave_out_positive(double at0, double at1) {
-    constexpr double kRoom = 0x1p-40;
+    constexpr double kErrorOfTime = 0x1p-40;
     if (at0 > 0 && at1 > 0) last = -1;
-    if (at0 > 0 && at1 <= 0) first = std::max(first, at0 / (at0 - at1) - kRoom);
-    if (at0 <= 0 && at1 > 0) last = std::min(last, 1 - at1 / (at1 - at0) + kRoom);
+    if (at0 > 0 && at1 <= 0) first = std::max(first, at0 / (at0 - at1) - kErrorOfTime);
+    if (at0 <= 0 && at1 > 0) last = std::min(last, 1 - at1 / (at1 - at0) + kErrorOfTime);
   }
 };
 

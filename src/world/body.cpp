@@ -77,15 +77,14 @@ void Body::move(BodyMotion motion) {
     };
     start_boxes_ = boxes_at(soft->start);
     end_boxes_ = boxes_at(soft->end);
-    innermost_ = outermost_ = {0, 0};
+    curvature_ = {0, 0};
     motion_kind_ = MotionKind::straight;
   } else {
     start_boxes_ = end_boxes_ = {};
     self_detector_.reset();
     const Chain chain = chain_of(motion_);
     const ChainBounds bounds(chain);
-    innermost_ = bounds.of(0, 0);
-    outermost_ = bounds.of(shape_->radius, 0);
+    curvature_ = bounds.of(shape_->radius, 0);
     motion_kind_ = std::holds_alternative<Static>(motion_) ? MotionKind::still
                    : bounds.turns()                        ? MotionKind::turning
                                                            : MotionKind::straight;
@@ -117,15 +116,6 @@ Point Body::start_of(Index vertex) const {
 
 Point Body::end_of(Index vertex) const {
   return deforming() ? deforming()->end[at(vertex)] : at_end_.of(shape_->points[at(vertex)]);
-}
-
-Curvature Body::curvature(double from_origin) const {
-  const double share = from_origin < shape_->radius ? from_origin / shape_->radius : 1;
-  const auto between = [share](double first, double last) {
-    return (first + (last - first) * share) * kRoundedUp + 0x1p-1000;
-  };
-  return {between(innermost_.acceleration, outermost_.acceleration),
-          between(innermost_.orbit_radius, outermost_.orbit_radius)};
 }
 
 /// Vertices of a body that turns are on their curves; all others move straight from double to double, as in a step.

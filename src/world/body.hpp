@@ -72,11 +72,8 @@ class Body {
   /// Boxes that hold the body at t=0, and during the whole step.
   const Box& start_hull() const { return start_hull_; }
   const Box& hull() const { return hull_; }
-  /// Bounds for its points no farther than `from_origin` from the origin of its frame, and no farther than its farthest
-  /// vertex.
-  Curvature curvature(double from_origin) const;
-  /// |x''| of its vertices is at most this.
-  double acceleration() const { return outermost_.acceleration; }
+  /// Bounds for all its vertices.
+  const Curvature& curvature() const { return curvature_; }
   double radius() const { return radius_; }
   void set_radius(double radius);
   /// The detector of a deforming body's contacts with itself. `options`: those of the world.
@@ -100,7 +97,7 @@ class Body {
   double radius_ = 0;
   std::optional<Detector> self_detector_;  ///< made by the first question
   RoundedTransform at_start_{}, at_end_{};
-  Curvature innermost_, outermost_;  ///< at the origin of its frame, and at the distance of its farthest vertex
+  Curvature curvature_{};
   std::vector<Box> start_boxes_, end_boxes_;  ///< of all nodes, if the body deforms
   Box start_hull_, hull_;
 };

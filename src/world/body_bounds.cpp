@@ -5,8 +5,6 @@
 
 #include "curves/chord_deviation.hpp"
 #include "numerics/assert.hpp"
-#include "numerics/error_bounds.hpp"
-#include "numerics/length.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {
@@ -23,13 +21,6 @@ Box unbounded_if_unknown(Box box) {
   for (std::size_t k = 0; k < 3; ++k)
     if (!(box.low[k] <= box.high[k])) box.low[k] = -kUnbounded, box.high[k] = kUnbounded;
   return box;
-}
-
-/// An upper bound of the distance of the box' points from the origin.
-double farthest_in(const Box& box) {
-  const auto along = [&](std::size_t k) { return std::max(std::fabs(box.low[k]), std::fabs(box.high[k])); };
-  // Among subnormal doubles the length is off by 2^-1074, and the factor adds nothing: 2^-1000 covers that.
-  return quick_length_of(along(0), along(1), along(2)) * kRoundedUp + 0x1p-1000;
 }
 
 /// An error bound of transformed points with |x|_1 <= size, and of their boxes, the rounding of may_meet() included. No
@@ -62,25 +53,21 @@ Box box_in_world(const Box& at_rest, const RoundedTransform& place, double wider
 
 }  // namespace
 
-BodyOnPiece::BodyOnPiece(const Body& body, double from, double to)
-    : body_(body), from_(from), to_(to), chord_factor_(chord_factor(Interval(to) - Interval(from))) {
+BodyOnPiece::BodyOnPiece(const Body& body, double from, double to) : body_(body), from_(from), to_(to) {
   TAMIS_ASSERT(0 <= from && from <= to && to <= 1);
   const bool turns = body.motion_kind() == MotionKind::turning;
+  if (turns) {
+    const Interval factor = chord_factor(Interval(to) - Interval(from));
+    deviation_ = body.curvature().deviation(factor) * (1 + MovingBounds::kRounding);
+  }
   at_from_ = body.place_at(turns ? from : 0);
   at_to_ = body.place_at(turns ? to : 1);
-}
-
-/// An upper bound of the distance of vertices within the box from their chords.
-double BodyOnPiece::deviation(const Box& at_rest) const {
-  if (body_.motion_kind() != MotionKind::turning) return 0;
-  return body_.curvature(farthest_in(at_rest)).deviation(chord_factor_) * (1 + MovingBounds::kRounding);
 }
 
 MovingBounds BodyOnPiece::bounds(Index node) const {
   if (body_.deforming()) return cut(widened(body_.start_boxes_[at(node)]), widened(body_.end_boxes_[at(node)]));
   const Box& at_rest = shape().boxes[at(node)];
-  const double deviation = this->deviation(at_rest);
-  return cut(box_in_world(at_rest, at_from_, deviation), box_in_world(at_rest, at_to_, deviation));
+  return cut(box_in_world(at_rest, at_from_, deviation_), box_in_world(at_rest, at_to_, deviation_));
 }
 
 ItemBounds BodyOnPiece::items(Index leaf) const {
@@ -88,11 +75,11 @@ ItemBounds BodyOnPiece::items(Index leaf) const {
   const auto items = shape().tree.items_of(leaf);
   const Box& at_rest = shape().boxes[at(leaf)];
   const bool turns = body_.motion_kind() == MotionKind::turning;
-  const double size = at_rest.largest_sum(), deviation = this->deviation(at_rest);
+  const double size = at_rest.largest_sum();
   const auto placed = [&](const RoundedTransform& place, const auto& end_of_vertex, Index item) {
     if (!turns) return widened(shape().box_of(item, end_of_vertex));
     Box box = shape().box_of(item, [&](Index v) { return place.of(shape().points[at(v)]); });
-    box.widen(rounding_bound(place, size) + deviation);
+    box.widen(rounding_bound(place, size) + deviation_);
     return box;
   };
   for (std::size_t i = 0; i < items.size(); ++i) {

@@ -61,12 +61,11 @@ class BodyOnPiece {
   ItemBounds items(Index leaf) const;
 
  private:
-  double deviation(const Box& at_rest) const;
   MovingBounds cut(const Box& at_start, const Box& at_end) const;
 
   const Body& body_;
   const double from_, to_;
-  const Interval chord_factor_;
+  double deviation_ = 0;              ///< a bound of the distance of its vertices from their chords
   RoundedTransform at_from_, at_to_;  ///< of a body that does not turn, at t=0 and t=1
 };
 

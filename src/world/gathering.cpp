@@ -143,7 +143,7 @@ std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& p
   for (const BodyPair& pair : pairs) {
     const Body &a = *bodies[at(pair[0])], &b = *bodies[at(pair[1])];
     const double allowed = kChordDeviationInEdges * std::max(a.shape().edge, b.shape().edge);
-    const double acceleration = a.acceleration() + b.acceleration();
+    const double acceleration = a.curvature().acceleration + b.curvature().acceleration;
     const double deviation = kShiftedChordPart * chord_deviation(acceleration, Interval(1));  // of the whole step
     if (allowed > 0 && deviation > allowed) pieces = std::max(pieces, std::ceil(std::sqrt(deviation / allowed)));
   }

@@ -1,9 +1,9 @@
 // A few throws of the poster: none comes through, and Bullet alone stops some of them not.
 #include <gtest/gtest.h>
 
+#include "adapters/bullet/throws/body_scenes.hpp"
 #include "adapters/bullet/throws/cloth.hpp"
 #include "adapters/bullet/throws/independent.hpp"
-#include "adapters/bullet/throws/pile.hpp"
 #include "adapters/bullet/throws/scenes.hpp"
 
 namespace tamis::bullet {
@@ -53,9 +53,9 @@ TEST(Throws, ASampleSeesABodyThatIsHalfThrough) {
 
 TEST(Pile, ComesToRestAGapApart) {
   constexpr int kPlates = 20;
-  const PileRun run = run_pile(kPlates, 0.0015, 30, true);
+  const BodyRun run = run_bodies(pile(kPlates, 0.0015), 30, true);
   EXPECT_EQ(touching_steps(run.bodies, run.places), 0);
-  EXPECT_EQ(plates_inside(run), 0);
+  EXPECT_EQ(plates_inside(run), 0U);
   for (std::size_t plate = 1; plate <= kPlates; ++plate)
     EXPECT_NEAR(run.places.back()[plate].getOrigin().y(), 0.006 * static_cast<double>(plate) - 0.0025, 2e-4) << plate;
   EXPECT_LT(run.questions, 1.5);
@@ -63,12 +63,12 @@ TEST(Pile, ComesToRestAGapApart) {
 
 TEST(Pile, OfPlatesThatFallFromAHeightOntoEachOtherStaysOne) {
   constexpr double kDrop = 0.05;
-  const PileRun run = run_pile(20, kDrop, 60, true);
+  const BodyRun run = run_bodies(pile(20, kDrop), 60, true);
   EXPECT_EQ(touching_steps(run.bodies, run.places), 0);
-  EXPECT_EQ(plates_inside(run), 0);
-  const PileRun alone = run_pile(20, kDrop, 60, false);
+  EXPECT_EQ(plates_inside(run), 0U);
+  const BodyRun alone = run_bodies(pile(20, kDrop), 60, false);
   EXPECT_GT(touching_steps(alone.bodies, alone.places), 0);
-  EXPECT_GT(plates_inside(alone), 0);
+  EXPECT_GT(plates_inside(alone), 0U);
 }
 
 TEST(Cloth, DoesNotPassThroughItselfWhereItIsTruncated) {
@@ -77,8 +77,8 @@ TEST(Cloth, DoesNotPassThroughItselfWhereItIsTruncated) {
 }
 
 TEST(Pile, IsSeenToSinkIntoItselfWithoutAClamp) {
-  const PileRun run = run_pile(6, 0.0015, 60, false);
-  EXPECT_GT(plates_inside(run), 0);
+  const BodyRun run = run_bodies(pile(6, 0.0015), 60, false);
+  EXPECT_GT(plates_inside(run), 0U);
   EXPECT_GT(touching_steps(run.bodies, run.places), 0);
 }
 

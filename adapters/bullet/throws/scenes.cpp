@@ -2,25 +2,11 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <random>
+
+#include "adapters/bullet/throws/random.hpp"
 
 namespace tamis::bullet {
 namespace {
-
-/// Random numbers that are the same with every standard library.
-class Random {
- public:
-  double between(double lower, double upper) {
-    return lower + (upper - lower) * (static_cast<double>(engine_()) * 0x1p-32);
-  }
-  double normal() {
-    return std::sqrt(-2 * std::log(between(0x1p-33, 1))) * std::cos(2 * std::numbers::pi * between(0, 1));
-  }
-
- private:
-  std::mt19937 engine_{1};
-};
 
 /// The angle by which the body turns about z, added up over the steps.
 double turned_by(const Flight& flight) {

@@ -22,7 +22,6 @@ btScalar give_of(const btRigidBody& body, const btVector3& arm, const btVector3&
 void Carriers::Contact::push() {
   btVector3 speed = body->getVelocityInLocalPoint(arm);
   if (other) speed -= other->getVelocityInLocalPoint(other_arm);
-  const btScalar give = give_of(*body, arm, up) + (other_gives ? give_of(*other, other_arm, up) : 0);
   if (!(give > 0)) return;  // a body on an axle
   const btScalar before = impulse;
   impulse = std::max(btScalar(0), before - (speed.dot(up) + allowed) / give);
@@ -85,6 +84,8 @@ void Carriers::push(const Allowed& allowed) {
     std::vector<Contact*> below;
     for (Contact& contact : bodies_[i].contacts) {
       contact.impulse = 0;
+      contact.give = give_of(*contact.body, contact.arm, contact.up);
+      if (contact.other_gives) contact.give += give_of(*contact.other, contact.other_arm, contact.up);
       contact.allowed = allowed(contact.above_gap) / seconds_;
       if (bodies_[contact.other_at].level < bodies_[i].level) below.push_back(&contact);
     }

@@ -31,6 +31,7 @@ class Carriers {
     btVector3 arm, other_arm;  ///< from the bodies' origins to the contact
     btVector3 up;              ///< unit vector from the other to the body
     btScalar above_gap;        ///< the distance, less the gap
+    btScalar give = 0;         ///< the speed along `up` by which both part if an impulse of 1 along it acts
     btScalar allowed = 0;      ///< how fast the body may come nearer
     btScalar impulse = 0;
     bool other_gives = false;  ///< where nothing stands

@@ -80,24 +80,27 @@ class ClampedWorld::Step final : public adapters::WantedStep {
 
   std::vector<adapters::Approach> approaches() const override {
     std::vector<adapters::Approach> all;
-    for (const auto& [bodies, distance] : world_.distances_) all.push_back({bodies, distance, {0, 0}});
-    for (const NearContact& near : world_.near_) {
-      adapters::Approach approach{near.bodies, double{near.distance()}, {0, 0}};
-      if (!(approach.distance > 0)) continue;
-      for (const std::size_t k : {0U, 1U})
-        if (const auto way = ways_.find(approach.bodies[k]); way != ways_.end()) {
-          const btVector3& local = near.sides[k].local;
-          const btScalar parting = (way->second.at(1) * local - way->second.at(0) * local).dot(near.normal);
-          approach.closing[k] = k == 0 ? -parting : parting;
-        }
-      all.push_back(approach);
-    }
+    for (const auto& [bodies, near] : world_.near_) all.push_back({bodies, near.distance, {0, 0}});
+    for (const auto& [bodies, near] : world_.near_)
+      for (const NearContact& contact : near.contacts)
+        if (contact.distance() > 0) all.push_back(approach_at(contact));
     return all;
   }
 
   btTransform place(BodyId body, double fraction) const { return ways_.at(body).at(fraction); }
 
  private:
+  adapters::Approach approach_at(const NearContact& contact) const {
+    adapters::Approach approach{contact.bodies, double{contact.distance()}, {0, 0}};
+    for (const std::size_t k : {0U, 1U})
+      if (const auto way = ways_.find(approach.bodies[k]); way != ways_.end()) {
+        const btVector3& local = contact.sides[k].local;
+        const btScalar parting = (way->second.at(1) * local - way->second.at(0) * local).dot(contact.normal);
+        approach.closing[k] = k == 0 ? -parting : parting;
+      }
+    return approach;
+  }
+
   const ClampedWorld& world_;
   std::vector<BodyId> moving_;
   std::map<BodyId, Way> ways_;
@@ -208,39 +211,54 @@ bool ClampedWorld::collides(const adapters::BodyPair& bodies) const {
          m_dispatcher1->needsCollision(a, b) && a->hasContactResponse() && b->hasContactResponse();
 }
 
-NearFeature ClampedWorld::feature_of(BodyId body, std::span<const Index> vertices, std::span<const double> weights,
-                                     double sign) const {
-  const Member& member = members_.at(body);
-  NearFeature feature{member.object, *member.shape.surface, {}, {}};
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (vertices[i] < 0) continue;
-    feature.vertices.push_back(vertices[i]);
-    feature.weights.push_back(sign * weights[i]);
-  }
-  return feature;
+template <class Pair>
+std::array<NearFeature, 2> ClampedWorld::features_of(const Pair& pair) const {
+  const auto weights = weights_of(pair.kind, pair.u, pair.v);
+  const std::span<const Index> vertices(pair.vertices);
+  const Member &first = members_.at(pair.bodies[0]), &second = members_.at(pair.bodies[1]);
+  const auto feature = [&](const Member& member, std::size_t from, std::size_t number, double sign) {
+    NearFeature of{member.object, *member.shape.surface, vertices.subspan(from, number), {}};
+    for (std::size_t i = 0; i < number; ++i) of.weights[i] = sign * weights[from + i];
+    return of;
+  };
+  const std::size_t of_first = pair.kind == PairKind::edge_edge ? 2 : 1;
+  return {feature(first, 0, of_first, 1), feature(second, of_first, 4 - of_first, -1)};
 }
 
-template <class Pair>
-void ClampedWorld::find_near(const Pair& pair, const Point& direction, bool is_now, SolverContacts& for_solver) {
-  const adapters::BodyPair bodies = adapters::pair_of(pair.bodies);
-  if (!members_.contains(bodies[0]) || !members_.contains(bodies[1])) return;
+namespace {
+
+NearContact contact_at(const std::array<BodyId, 2>& bodies, const std::array<NearFeature, 2>& features,
+                       const btVector3& normal) {
+  const adapters::BodyPair pair = adapters::pair_of(bodies);
+  if (pair == bodies) return {pair, {features[0].side(), features[1].side()}, normal};
+  return {pair, {features[1].side(), features[0].side()}, -normal};
+}
+
+}  // namespace
+
+void ClampedWorld::add_near(std::span<const BodyNearPair> pairs) {
+  const adapters::BodyPair bodies = adapters::pair_of(pairs[0].bodies);
   if (overlapping_.contains(bodies) || !collides(bodies)) return;
-  const auto weights = weights_of(pair.kind, pair.u, pair.v);
-  const std::size_t of_first = pair.kind == PairKind::edge_edge ? 2 : 1;
-  const std::span<const Index> vertices(pair.vertices);
-  const std::span<const double> all(weights);
-  const NearFeature first = feature_of(pair.bodies[0], vertices.first(of_first), all.first(of_first), 1);
-  const NearFeature second = feature_of(pair.bodies[1], vertices.subspan(of_first), all.subspan(of_first), -1);
-  const btVector3 normal = vector_of(direction);
-  NearContact contact{bodies, {first.side(), second.side()}, normal};
-  if (bodies != pair.bodies) contact = {bodies, {second.side(), first.side()}, -normal};
-  if (is_now) {
-    double& distance = distances_.try_emplace(bodies, 2 * options_.gap).first->second;
-    distance = std::min(distance, double{contact.distance()});
-    if (!first.is_nearest(-normal) || !second.is_nearest(normal)) return;
-    near_.push_back(contact);
+  NearBodies& near = near_.try_emplace(bodies, NearBodies{2 * options_.gap, {}}).first->second;
+  std::vector<NearContact> contacts = std::move(near.contacts);
+  for (const BodyNearPair& pair : pairs) {
+    if (!(pair.distance > 0)) continue;
+    const btVector3 normal = vector_of(pair.direction);
+    const std::array<NearFeature, 2> features = features_of(pair);
+    const NearContact contact = contact_at(pair.bodies, features, normal);
+    near.distance = std::min(near.distance, double{contact.distance()});
+    if (features[0].is_nearest(-normal) && features[1].is_nearest(normal)) contacts.push_back(contact);
   }
-  for_solver.add(contact, static_cast<btScalar>(options_.gap), m_predictiveManifolds);
+  near.contacts = essential(contacts);
+}
+
+void ClampedWorld::find_near() {
+  near_.clear();
+  const std::vector<BodyNearPair> pairs = bodies_.pairs_within(2 * options_.gap);
+  for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
+    while (end < pairs.size() && pairs[end].bodies == pairs[begin].bodies) ++end;
+    add_near(std::span(pairs).subspan(begin, end - begin));
+  }
 }
 
 void ClampedWorld::createPredictiveContacts(btScalar seconds) {
@@ -248,11 +266,17 @@ void ClampedWorld::createPredictiveContacts(btScalar seconds) {
   btDiscreteDynamicsWorld::createPredictiveContacts(seconds);
   follow();
   overlapping_ = adapters::overlapping(bodies_);
-  near_.clear();
-  distances_.clear();
-  for (const BodyNearPair& pair : bodies_.pairs_within(2 * options_.gap))
-    if (pair.distance > 0) find_near(pair, pair.direction, true, for_solver);
-  for (const BodyContact& limit : limits_) find_near(limit, limit.normal, false, for_solver);
+  find_near();
+  const auto add = [&](const NearContact& contact) {
+    for_solver.add(contact, static_cast<btScalar>(options_.gap), m_predictiveManifolds);
+  };
+  for (const auto& [bodies, near] : near_) std::ranges::for_each(near.contacts, add);
+  for (const BodyContact& limit : limits_) {
+    const adapters::BodyPair bodies = adapters::pair_of(limit.bodies);
+    if (members_.contains(bodies[0]) && members_.contains(bodies[1]) && !overlapping_.contains(bodies) &&
+        collides(bodies))
+      add(contact_at(limit.bodies, features_of(limit), vector_of(limit.normal)));
+  }
   for_solver.start_warm();
 }
 
@@ -274,7 +298,9 @@ void ClampedWorld::performDiscreteCollisionDetection() {
 }
 
 void ClampedWorld::integrateTransforms(btScalar seconds) {
-  Carriers carriers(near_, static_cast<btScalar>(options_.gap), seconds);
+  std::vector<NearContact> near;
+  for (const auto& [bodies, at] : near_) near.insert(near.end(), at.contacts.begin(), at.contacts.end());
+  Carriers carriers(near, static_cast<btScalar>(options_.gap), seconds);
   carriers.take_speed();
   std::optional<Step> way;
   carriers.part([&] { way.emplace(*this, seconds); });

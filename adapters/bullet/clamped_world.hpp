@@ -66,6 +66,11 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
     btTransform place;  ///< where `bodies_` has it
     bool is_active;     ///< as `bodies_` has it: a body that sleeps is Static there, and costs nothing
   };
+  /// Two bodies within two gaps of each other.
+  struct NearBodies {
+    double distance;                    ///< also of pairs of features that push sideways
+    std::vector<NearContact> contacts;  ///< essential ones, where one body carries the other
+  };
   class Way;
   class Step;
 
@@ -79,20 +84,20 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   void forget_limits_of(BodyId id);
   void follow();
   bool collides(const adapters::BodyPair& bodies) const;
-  NearFeature feature_of(BodyId body, std::span<const Index> vertices, std::span<const double> weights,
-                         double sign) const;
-  /// `is_now`: the pair is near where the bodies are now; otherwise it was a contact on the ways of the last step.
+  /// Both features of a pair, the first one first. Keeps a reference.
   template <class Pair>
-  void find_near(const Pair& pair, const Point& direction, bool is_now, SolverContacts& for_solver);
+  std::array<NearFeature, 2> features_of(const Pair& pair) const;
+  void find_near();
+  /// Of pairs of features of two bodies, which are near where the bodies are now.
+  void add_near(std::span<const BodyNearPair> pairs);
 
   adapters::ClampOptions options_;
   World bodies_;
   std::map<BodyId, Member> members_;
   std::map<const btCollisionShape*, KnownShape> given_;  ///< by set_mesh
   std::set<adapters::BodyPair> overlapping_;
-  std::vector<BodyContact> limits_;                 ///< of the last step
-  std::vector<NearContact> near_;                   ///< near pairs at the start of this step
-  std::map<adapters::BodyPair, double> distances_;  ///< at the step's start; also of pairs that push sideways
+  std::vector<BodyContact> limits_;                ///< of the last step
+  std::map<adapters::BodyPair, NearBodies> near_;  ///< when this step begins
   LastStep last_step_;
 };
 

@@ -14,6 +14,8 @@ namespace {
 /// each other within two gaps are tilted by at most two gaps over their size, which is this sine if they are twenty
 /// gaps large.
 constexpr btScalar kLeadsAway = 0.1F;
+/// Normals count as one where they agree in these steps.
+constexpr btScalar kNormalSteps = 1000;
 /// Weights below this belong to vertices on which the nearest point does not lie.
 constexpr double kNoWeight = 1e-6;
 
@@ -34,7 +36,7 @@ Surface::Surface(const Shape& shape) : mesh(shape), radius(0), faces_at(shape.po
 NearSide NearFeature::side() const {
   btVector3 local(0, 0, 0);
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    local += place_of(surface.mesh, vertices[i]) * static_cast<btScalar>(weights[i]);
+    if (vertices[i] >= 0) local += place_of(surface.mesh, vertices[i]) * static_cast<btScalar>(weights[i]);
   return {object, local};
 }
 
@@ -54,6 +56,32 @@ bool NearFeature::is_nearest(const btVector3& outward) const {
     const Face& face = surface.mesh.mesh().faces()[static_cast<std::size_t>(index)];
     return !has_point(face) || std::ranges::all_of(face, leads_away);
   });
+}
+
+std::vector<NearContact> essential(std::span<const NearContact> contacts) {
+  std::map<std::array<int, 3>, std::vector<std::size_t>> by_normal;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    std::array<int, 3> steps{};
+    for (int k = 0; k < 3; ++k)
+      steps[static_cast<std::size_t>(k)] = static_cast<int>(std::lround(kNormalSteps * contacts[i].normal[k]));
+    by_normal[steps].push_back(i);
+  }
+  std::vector<bool> is_kept(contacts.size());
+  const auto keep_least = [&](const std::vector<std::size_t>& among, const auto& value) {
+    is_kept[*std::ranges::min_element(among, {}, [&](std::size_t i) { return value(contacts[i]); })] = true;
+  };
+  for (const auto& [steps, among] : by_normal) {
+    btVector3 x, y;
+    btPlaneSpace1(contacts[among[0]].normal, x, y);
+    keep_least(among, [](const NearContact& contact) { return contact.distance(); });
+    for (const btVector3& way : {x, y, x + y, x - y})
+      for (const btScalar sign : {-1.0F, 1.0F})
+        keep_least(among, [&](const NearContact& contact) { return sign * way.dot(contact.sides[0].point()); });
+  }
+  std::vector<NearContact> kept;
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (is_kept[i]) kept.push_back(contacts[i]);
+  return kept;
 }
 
 SolverContacts::SolverContacts(btDispatcher& dispatcher, const Manifolds& last) : dispatcher_(dispatcher) {

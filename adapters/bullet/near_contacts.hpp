@@ -2,7 +2,9 @@
 #pragma once
 #include <btBulletDynamicsCommon.h>
 
+#include <array>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "adapters/clamp.hpp"
@@ -39,12 +41,17 @@ struct Surface {
   std::vector<std::vector<Index>> faces_at;  ///< for each vertex the faces that it belongs to
 };
 
+/// Of contacts of two bodies those that say as much as all, in the same order: among contacts with one normal (within
+/// about a thousandth), the nearest, and the farthest in each of eight directions along the plane. Two boxes that lie
+/// on each other have some sixty pairs of near features, and a support of four corners.
+std::vector<NearContact> essential(std::span<const NearContact> contacts);
+
 /// One feature of a near pair: its vertices, with the weights of its nearest point.
 struct NearFeature {
   btCollisionObject* object;
   const Surface& surface;
-  std::vector<Index> vertices;
-  std::vector<double> weights;
+  std::span<const Index> vertices;  ///< keeps a reference; entries below 0 are none
+  std::array<double, 3> weights;
 
   NearSide side() const;
   /// Do the faces around the point lead away from the direction `outward` (in the world's frame), up to a few degrees?

@@ -24,7 +24,7 @@ void Carriers::Contact::push() {
   if (other) speed -= other->getVelocityInLocalPoint(other_arm);
   if (!(give > 0)) return;  // a body on an axle
   const btScalar before = impulse;
-  impulse = std::max(btScalar(0), before - (speed.dot(up) + allowed) / give);
+  impulse = std::max(btScalar(0), before - (speed.dot(up) + allowed + softness * before) / (give + softness));
   body->applyImpulse(up * (impulse - before), arm);
   if (other_gives) other->applyImpulse(up * (before - impulse), other_arm);
 }
@@ -79,13 +79,14 @@ void Carriers::find_levels() {
 }
 
 template <class Allowed>
-void Carriers::push(const Allowed& allowed) {
+void Carriers::push(const Allowed& allowed, bool is_soft) {
   for (const std::size_t i : order_) {
     std::vector<Contact*> below;
     for (Contact& contact : bodies_[i].contacts) {
       contact.impulse = 0;
       contact.give = give_of(*contact.body, contact.arm, contact.up);
       if (contact.other_gives) contact.give += give_of(*contact.other, contact.other_arm, contact.up);
+      contact.softness = is_soft && contact.above_gap < 0 ? contact.give : 0;
       contact.allowed = allowed(contact.above_gap) / seconds_;
       if (bodies_[contact.other_at].level < bodies_[i].level) below.push_back(&contact);
     }
@@ -95,7 +96,7 @@ void Carriers::push(const Allowed& allowed) {
 }
 
 void Carriers::take_speed() {
-  push([](btScalar above_gap) { return std::max(btScalar(0), above_gap); });
+  push([](btScalar above_gap) { return std::max(btScalar(0), above_gap); }, false);
 }
 
 void Carriers::part(const std::function<void()>& go) {
@@ -107,7 +108,7 @@ void Carriers::part(const std::function<void()>& go) {
     const btRigidBody& body = *btRigidBody::upcast(bodies_[i].object);
     speeds.push_back({body.getLinearVelocity(), body.getAngularVelocity()});
   }
-  push([](btScalar above_gap) { return above_gap < 0 ? above_gap * kParted : above_gap; });
+  push([](btScalar above_gap) { return above_gap < 0 ? above_gap * kParted : above_gap; }, true);
   go();
   for (std::size_t k = 0; k < order_.size(); ++k) {
     btRigidBody& body = *btRigidBody::upcast(bodies_[order_[k]].object);

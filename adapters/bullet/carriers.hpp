@@ -19,8 +19,9 @@ class Carriers {
 
   /// Takes the speed by which bodies would come nearer than `gap` to their carriers, to first order.
   void take_speed();
-  /// Calls `go` while bodies nearer than `gap` to their carriers have an additional speed by which they part.
-  /// Afterwards all bodies have their speeds of before.
+  /// Calls `go` while bodies nearer than `gap` to their carriers have an additional speed by which they part; a body
+  /// between two carriers with less than two gaps of room goes to the middle. Afterwards all bodies have their speeds of
+  /// before.
   void part(const std::function<void()>& go);
 
  private:
@@ -33,6 +34,7 @@ class Carriers {
     btScalar above_gap;        ///< the distance, less the gap
     btScalar give = 0;         ///< the speed along `up` by which both part if an impulse of 1 along it acts
     btScalar allowed = 0;      ///< how fast the body may come nearer
+    btScalar softness = 0;     ///< the speed towards the other that an impulse of 1 leaves; 0: none
     btScalar impulse = 0;
     bool other_gives = false;  ///< where nothing stands
 
@@ -45,8 +47,9 @@ class Carriers {
   };
 
   void find_levels();
+  /// `is_soft`: contacts nearer than the gap give way to each other.
   template <class Allowed>
-  void push(const Allowed& allowed);
+  void push(const Allowed& allowed, bool is_soft);
 
   btScalar seconds_;
   std::vector<Body> bodies_;

@@ -98,7 +98,7 @@ void SolverContacts::add(const NearContact& contact, btScalar gap, Manifolds& al
     manifold = dispatcher_.getNewManifold(first.object, second.object);
     all.push_back(manifold);
   }
-  btManifoldPoint point(first.local, second.local, contact.normal, contact.distance() - gap);
+  btManifoldPoint point(first.local, second.local, contact.normal, std::max(btScalar(0), contact.distance() - gap));
   point.m_positionWorldOnA = first.point();
   point.m_positionWorldOnB = second.point();
   point.m_combinedFriction = gCalculateCombinedFrictionCallback(first.object, second.object);

@@ -20,8 +20,8 @@ class Carriers {
   /// Takes the speed by which bodies would come nearer than `gap` to their carriers, to first order.
   void take_speed();
   /// Calls `go` while bodies nearer than `gap` to their carriers have an additional speed by which they part; a body
-  /// between two carriers with less than two gaps of room goes to the middle. Afterwards all bodies have their speeds of
-  /// before.
+  /// between two carriers with less than two gaps of room goes to the middle. Afterwards all bodies have their speeds
+  /// of before.
   void part(const std::function<void()>& go);
 
  private:

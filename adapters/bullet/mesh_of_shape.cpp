@@ -1,5 +1,7 @@
 #include "adapters/bullet/mesh_of_shape.hpp"
 
+#include <BulletCollision/CollisionShapes/btConvexTriangleMeshShape.h>
+#include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <LinearMath/btConvexHullComputer.h>
 
 #include <map>
@@ -9,6 +11,36 @@
 
 namespace tamis::bullet {
 namespace {
+
+std::vector<btVector3> corners_of(const btPolyhedralConvexShape& shape) {
+  std::vector<btVector3> corners;
+  if (shape.getShapeType() == CONVEX_TRIANGLEMESH_SHAPE_PROXYTYPE) {  // it counts no vertices; they are its mesh's
+    struct Corners : btInternalTriangleIndexCallback {
+      void internalProcessTriangleIndex(btVector3* triangle, int, int) override {
+        all.insert(all.end(), triangle, triangle + 3);
+      }
+      std::vector<btVector3> all;
+    } of_mesh;
+    const btVector3 far(BT_LARGE_FLOAT, BT_LARGE_FLOAT, BT_LARGE_FLOAT);
+    static_cast<const btConvexTriangleMeshShape&>(shape).getMeshInterface()->InternalProcessAllTriangles(&of_mesh, -far,
+                                                                                                         far);
+    return of_mesh.all;
+  }
+  corners.resize(static_cast<std::size_t>(shape.getNumVertices()));
+  for (int i = 0; i < shape.getNumVertices(); ++i) shape.getVertex(i, corners[static_cast<std::size_t>(i)]);
+  return corners;
+}
+
+/// What to do with a shape that has an empty list of triangles.
+std::string advice_on_empty(const btCollisionShape& shape) {
+  const std::string give = "give a mesh for it with ClampedWorld::set_mesh, before the body is added";
+  if (shape.getShapeType() == EMPTY_SHAPE_PROXYTYPE)
+    return "give its object CF_NO_CONTACT_RESPONSE, so that it is not looked at";
+  if (shape.getShapeType() != GIMPACT_SHAPE_PROXYTYPE) return "fill it before the body is added, or " + give;
+  if (static_cast<const btGImpactShapeInterface&>(shape).getGImpactShapeType() == CONST_GIMPACT_COMPOUND_SHAPE)
+    return "put the children of a btGImpactCompoundShape into a btCompoundShape, or " + give;
+  return "call its updateBound before the body is added, or " + give;
+}
 
 /// The triangles of a shape, with one vertex for all corners at one place.
 class Gathered : public btTriangleCallback {
@@ -31,11 +63,10 @@ class Gathered : public btTriangleCallback {
     faces_.push_back({vertex(triangle[0]), vertex(triangle[1]), vertex(triangle[2])});
   }
 
-  Shape shape(const char* name) && {
+  Shape shape_like(const btCollisionShape& shape) && {
     if (faces_.empty())
-      throw InvalidMesh(std::string("the Bullet shape ") + name +
-                        " has no triangles: fill it before the body is added (a btGImpactMeshShape needs updateBound), "
-                        "or give a mesh for it with ClampedWorld::set_mesh");
+      throw InvalidMesh(std::string("the Bullet shape ") + shape.getName() +
+                        " has no triangles: " + advice_on_empty(shape));
     return {Mesh(static_cast<Index>(points_.size()), faces_), std::move(points_)};
   }
 
@@ -51,10 +82,10 @@ class Gathered : public btTriangleCallback {
   }
 
   void add_polyhedron(const btPolyhedralConvexShape& shape) {
-    std::vector<btVector3> corners(static_cast<std::size_t>(shape.getNumVertices()));
-    for (int i = 0; i < shape.getNumVertices(); ++i) shape.getVertex(i, corners[static_cast<std::size_t>(i)]);
+    const std::vector<btVector3> corners = corners_of(shape);
     btConvexHullComputer hull;
-    hull.compute(corners.empty() ? nullptr : &corners[0].x(), sizeof(btVector3), shape.getNumVertices(), 0, 0);
+    hull.compute(corners.empty() ? nullptr : &corners[0].x(), sizeof(btVector3), static_cast<int>(corners.size()), 0,
+                 0);
     // The hull computer rounds its vertices to a grid: take the corners that it was given instead.
     const auto corner = [&](int vertex) {
       return corners[static_cast<std::size_t>(hull.original_vertex_index[vertex])];
@@ -86,11 +117,7 @@ class Gathered : public btTriangleCallback {
 void add(const btVector3& v, std::vector<btScalar>& traits) { traits.insert(traits.end(), {v.x(), v.y(), v.z()}); }
 
 void add_corners(const btPolyhedralConvexShape& shape, std::vector<btScalar>& traits) {
-  for (int i = 0; i < shape.getNumVertices(); ++i) {
-    btVector3 corner;
-    shape.getVertex(i, corner);
-    add(corner, traits);
-  }
+  for (const btVector3& corner : corners_of(shape)) add(corner, traits);
 }
 
 void add_box(const btCollisionShape& shape, std::vector<btScalar>& traits) {
@@ -132,7 +159,7 @@ Pose pose_of(const btTransform& transform) {
 Shape mesh_of(const btCollisionShape& shape) {
   Gathered gathered;
   gathered.add(shape, btTransform::getIdentity());
-  return std::move(gathered).shape(shape.getName());
+  return std::move(gathered).shape_like(shape);
 }
 
 std::vector<btScalar> traits_of(const btCollisionShape& shape) {

@@ -15,9 +15,9 @@ btVector3 vector_of(const Point& p);
 Pose pose_of(const btTransform& transform);
 
 /// The triangles of meshes (also btGImpact's; call its updateBound first) and of height fields, the faces of convex
-/// polyhedra (boxes, hulls), and compounds of these; scaled as the shape is. The margin that Bullet puts around a shape
-/// is not part of its mesh. Throws InvalidMesh, saying what to do, for all other shapes (round shapes have no
-/// triangles, planes no end), and for shapes whose list of triangles is empty.
+/// polyhedra (boxes, hulls, btConvexTriangleMeshShape), and compounds of these; scaled as the shape is. The margin that
+/// Bullet puts around a shape is not part of its mesh. Throws InvalidMesh, saying what to do, for all other shapes
+/// (round shapes have no triangles, planes no end), and for shapes whose list of triangles is empty.
 Shape mesh_of(const btCollisionShape& shape);
 
 /// What distinguishes a shape from what it was before, or from another one that was made at the same address since: its

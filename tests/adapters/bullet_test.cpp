@@ -1,5 +1,9 @@
 // Bullet's world with the clamp: shapes, bodies that come and go, filters, worlds that overlap, stacks.
+#include <BulletCollision/CollisionShapes/btConvexTriangleMeshShape.h>
+#include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <gtest/gtest.h>
+
+#include <string>
 
 #include "adapters/bullet/mesh_of_shape.hpp"
 #include "adapters/bullet/throws/arena.hpp"
@@ -28,6 +32,37 @@ TEST(MeshOfShape, PutsTheChildrenOfACompoundWhereTheyAre) {
   const Shape mesh = mesh_of(pair);
   EXPECT_EQ(mesh.points().size(), 16U);
   for (const Point& p : mesh.points()) EXPECT_TRUE(std::abs(p[0]) == 4 || std::abs(p[0]) == 6) << p[0];
+}
+
+/// Bug: it was refused as a list of triangles that the caller had not filled.
+TEST(MeshOfShape, HasTheHullOfAConvexTriangleMesh) {
+  btTriangleMesh tetrahedron;
+  const btVector3 corners[]{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int i = 0; i < 4; ++i) tetrahedron.addTriangle(corners[i], corners[(i + 1) % 4], corners[(i + 2) % 4]);
+  btConvexTriangleMeshShape shape(&tetrahedron);
+  EXPECT_EQ(mesh_of(shape).points().size(), 4U);
+  EXPECT_EQ(mesh_of(shape).mesh().faces().size(), 4U);
+  const std::vector<btScalar> before = traits_of(shape);
+  shape.setLocalScaling({2, 1, 1});
+  EXPECT_NE(traits_of(shape), before);
+}
+
+/// Bug: each was told to call updateBound.
+TEST(MeshOfShape, SaysWhatToDoAboutAShapeWithoutTriangles) {
+  const auto refusal = [](const btCollisionShape& shape) {
+    try {
+      mesh_of(shape);
+    } catch (const InvalidMesh& refused) {
+      return std::string(refused.what());
+    }
+    return std::string();
+  };
+  btEmptyShape empty;
+  EXPECT_NE(refusal(empty).find("CF_NO_CONTACT_RESPONSE"), std::string::npos) << refusal(empty);
+  btGImpactCompoundShape compound;
+  EXPECT_NE(refusal(compound).find("btCompoundShape"), std::string::npos) << refusal(compound);
+  btSphereShape sphere(1);
+  EXPECT_NE(refusal(sphere).find("set_mesh"), std::string::npos) << refusal(sphere);
 }
 
 TEST(MeshOfShape, RefusesWhatHasNoTriangles) {

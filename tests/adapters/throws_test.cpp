@@ -71,6 +71,41 @@ TEST(Pile, OfPlatesThatFallFromAHeightOntoEachOtherStaysOne) {
   EXPECT_GT(plates_inside(alone), 0U);
 }
 
+/// Bug: contacts on both sides pushed it, each by the missing part of a gap, and it jammed at the tube's mouth.
+TEST(Peg, FallsInATubeThatIsTighterThanAGap) {
+  for (const double clearance : {0.0002, 0.0006, 0.0012}) {
+    const BodyRun run = run_bodies(peg_in_tube(clearance), 60, true);
+    EXPECT_LT(peg_above_floor(run), 0.01) << clearance;
+    EXPECT_EQ(touching_steps(run.bodies, run.places), 0) << clearance;
+  }
+}
+
+TEST(Bodies, ComeToRestWithoutOverlapping) {
+  const BodyRun mixed = run_bodies(mixed_bodies(1), 120, true);
+  EXPECT_EQ(hanging(mixed), std::vector<std::size_t>{});
+  EXPECT_EQ(overlapping(mixed), 0U);
+  EXPECT_EQ(touching_steps(mixed.bodies, mixed.places), 0);
+  EXPECT_GT(overlapping(run_bodies(mixed_bodies(1), 120, false)), 0U);
+}
+
+/// That the measure can fail: it sees a body that wants to fall and stays.
+TEST(Bodies, AreSeenToHang) {
+  BodyRun run = run_bodies(row_of_cubes(2), 50, true);
+  EXPECT_EQ(hanging(run), std::vector<std::size_t>{});
+  for (std::size_t i = 0; i < run.places.size(); ++i) {
+    run.places[i][1] = run.places[0][1];
+    run.velocities[i][1] = {0, -1, 0};
+  }
+  EXPECT_EQ(hanging(run), std::vector<std::size_t>{1});
+  EXPECT_EQ(hanging_speed(run), 1);
+}
+
+TEST(Row, KeepsItsMomentum) {
+  const auto [before, after] = momentum(run_bodies(row_of_cubes(2), 60, true));
+  EXPECT_EQ(before, 5);
+  EXPECT_NEAR(after, 5, 0.01);
+}
+
 TEST(Cloth, DoesNotPassThroughItselfWhereItIsTruncated) {
   EXPECT_EQ(touching_steps(run_cloth(31, 100, true)), 0);
   EXPECT_GT(touching_steps(run_cloth(31, 100, false)), 0);

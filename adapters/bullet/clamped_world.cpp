@@ -297,6 +297,16 @@ void ClampedWorld::performDiscreteCollisionDetection() {
   }
 }
 
+void ClampedWorld::set_overlapping_may_touch(bool may_touch) {
+  for (const auto& [a, b] : overlapping_) {
+    const Member& member = members_.at(a);
+    const Pose pose = pose_of(member.place);
+    if (may_touch) bodies_.move(a, adapters::resting(pose));  // two bodies that both stay are refused
+    bodies_.set_may_touch(a, b, may_touch);
+    if (may_touch) bodies_.move(a, motion_at(*member.object, pose));
+  }
+}
+
 void ClampedWorld::integrateTransforms(btScalar seconds) {
   std::vector<NearContact> near;
   for (const auto& [bodies, at] : near_) near.insert(near.end(), at.contacts.begin(), at.contacts.end());
@@ -305,7 +315,15 @@ void ClampedWorld::integrateTransforms(btScalar seconds) {
   std::optional<Step> way;
   carriers.part([&] { way.emplace(*this, seconds); });
   const Step& step = *way;
-  adapters::ClampedStep clamped = adapters::clamp(bodies_, step, overlapping_, options_);
+  adapters::ClampedStep clamped;
+  set_overlapping_may_touch(false);
+  try {
+    clamped = adapters::clamp(bodies_, step, overlapping_, options_);
+  } catch (...) {
+    set_overlapping_may_touch(true);
+    throw;
+  }
+  set_overlapping_may_touch(true);
   limits_ = std::move(clamped.limits);
   last_step_ = {{}, clamped.questions, overlapping_.size()};
   for (std::size_t i = 0; i < clamped.fractions.size(); ++i) {

@@ -84,6 +84,9 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   void forget_limits_of(BodyId id);
   void follow();
   bool collides(const adapters::BodyPair& bodies) const;
+  /// The clamp leaves out contacts of bodies that overlap; where they lie flat on each other and turn, those are the
+  /// dearest of all, so they are not asked about.
+  void set_overlapping_may_touch(bool may_touch);
   /// Both features of a pair, the first one first. Keeps a reference.
   template <class Pair>
   std::array<NearFeature, 2> features_of(const Pair& pair) const;

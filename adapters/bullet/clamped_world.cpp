@@ -227,6 +227,12 @@ std::array<NearFeature, 2> ClampedWorld::features_of(const Pair& pair) const {
 
 namespace {
 
+/// Two edges that are nearest at an end of one: that vertex and the other's face or edge are a pair, too.
+bool is_said_by_a_vertex(const BodyNearPair& pair) {
+  const auto is_end = [](double weight) { return weight == 0 || weight == 1; };
+  return pair.kind == PairKind::edge_edge && (is_end(pair.u) || is_end(pair.v));
+}
+
 NearContact contact_at(const std::array<BodyId, 2>& bodies, const std::array<NearFeature, 2>& features,
                        const btVector3& normal) {
   const adapters::BodyPair pair = adapters::pair_of(bodies);
@@ -242,7 +248,7 @@ void ClampedWorld::add_near(std::span<const BodyNearPair> pairs) {
   NearBodies& near = near_.try_emplace(bodies, NearBodies{2 * options_.gap, {}}).first->second;
   std::vector<NearContact> contacts = std::move(near.contacts);
   for (const BodyNearPair& pair : pairs) {
-    if (!(pair.distance > 0)) continue;
+    if (!(pair.distance > 0) || is_said_by_a_vertex(pair)) continue;
     const btVector3 normal = vector_of(pair.direction);
     const std::array<NearFeature, 2> features = features_of(pair);
     const NearContact contact = contact_at(pair.bodies, features, normal);

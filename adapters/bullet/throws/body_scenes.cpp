@@ -95,11 +95,11 @@ BodyScene drop_of_a_box(unsigned seed) {
 
 BodyScene mixed_bodies(unsigned seed) {
   BodyScene scene{{floor_of(5)}};
-  add_walls(1, 5, scene);
+  add_walls(1, 10, scene);
   Random random(seed);
   for (int i = 0; i < 30; ++i) {
     const btVector3 position =
-        random.vector(0.6) * btVector3(1, 0, 1) + btVector3(0, 0.5F + 0.3F * static_cast<btScalar>(i), 0);
+        random.vector(0.6) * btVector3(1, 0, 1) + btVector3(0, 0.5F + 0.6F * static_cast<btScalar>(i), 0);
     scene.bodies.push_back({shape_of_sort(i % 5, random), 1, btTransform(random.turn(), position),
                             random.vector(6) - btVector3(0, 6, 0), random.vector(10)});
   }

@@ -3,6 +3,8 @@
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include "adapters/bullet/mesh_of_shape.hpp"
@@ -101,6 +103,41 @@ TEST(ClampedWorld, LetsBodiesApartThatOverlapAtTheStart) {
   simulation.run(120);
   EXPECT_EQ(simulation.world.last_step().overlapping, 0U);
   EXPECT_GT(body.getWorldTransform().getOrigin().z(), 1.9F);
+}
+
+/// While they overlap they are not asked about; afterwards they are.
+TEST(ClampedWorld, StopsBodiesAtEachOtherThatOverlappedOnce) {
+  btBoxShape box({1, 1, 1});
+  Simulation simulation;
+  simulation.world.setGravity({0, 0, 0});
+  simulation.add(box, 0, {0, 0, 0});
+  btRigidBody& body = simulation.add(box, 1, {0.1F, 0.2F, 1.5F});
+  simulation.run(1);
+  ASSERT_EQ(simulation.world.last_step().overlapping, 1U);
+  body.setCenterOfMassTransform(btTransform(btQuaternion::getIdentity(), {0, 0, 4}));
+  body.setLinearVelocity({0, 0, -500});
+  simulation.run(3);
+  EXPECT_GT(body.getWorldTransform().getOrigin().z(), 2);
+}
+
+TEST(NearContacts, KeepTheCornersAndTheNearest) {
+  btCollisionObject below, above;
+  std::vector<NearContact> contacts;
+  for (int x = 0; x < 5; ++x)
+    for (int z = 0; z < 5; ++z) {
+      const btVector3 place(static_cast<btScalar>(x), 0, static_cast<btScalar>(z));
+      const btVector3 up(0, x == 2 && z == 1 ? 0.5F : 1.0F, 0);
+      contacts.push_back({{0, 1}, {{{&above, place + up}, {&below, place}}}, {0, 1, 0}});
+    }
+  std::vector<std::array<int, 2>> kept;
+  for (const NearContact& contact : essential(contacts))
+    kept.push_back({static_cast<int>(contact.sides[1].local.x()), static_cast<int>(contact.sides[1].local.z())});
+  EXPECT_EQ(std::ranges::count(kept, std::array{2, 1}), 1);
+  for (const int x : {0, 4})
+    for (const int z : {0, 4}) EXPECT_EQ(std::ranges::count(kept, std::array{x, z}), 1) << x << z;
+  EXPECT_LE(kept.size(), 9U);
+  contacts[12].normal = {1, 0, 0};
+  EXPECT_EQ(essential(contacts).size(), kept.size() + 1);
 }
 
 TEST(ClampedWorld, StopsAFastBodyUnlessBulletLetsItPass) {

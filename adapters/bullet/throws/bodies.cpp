@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <memory>
 
 #include "adapters/bullet/clamped_world.hpp"
 #include "adapters/bullet/mesh_of_shape.hpp"

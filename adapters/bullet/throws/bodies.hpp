@@ -1,5 +1,9 @@
 // Rigid bodies in a Bullet world, as it is or clamped, and what they did there.
 #pragma once
+#include <array>
+#include <memory>
+#include <vector>
+
 #include "adapters/bullet/throws/arena.hpp"
 
 namespace tamis::bullet {

@@ -1,7 +1,7 @@
 #include "adapters/bullet/throws/body_scenes.hpp"
 
-#include <algorithm>
-#include <initializer_list>
+#include <array>
+#include <memory>
 
 #include "adapters/bullet/throws/random.hpp"
 

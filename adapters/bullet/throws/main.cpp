@@ -2,8 +2,9 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
-#include <functional>
+#include <exception>
+#include <initializer_list>
+#include <string>
 #include <vector>
 
 #include "adapters/bullet/throws/body_scenes.hpp"

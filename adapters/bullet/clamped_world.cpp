@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "adapters/bullet/carriers.hpp"
 #include "adapters/bullet/mesh_of_shape.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::bullet {
 namespace {
@@ -131,6 +133,16 @@ ClampedWorld::KnownShape ClampedWorld::known(const btCollisionShape* shape) cons
   return {shape, std::move(traits), std::make_shared<const Surface>(mesh_of(*shape))};
 }
 
+ClampedWorld::KnownShape ClampedWorld::known_of(const btCollisionObject& object) const {
+  try {
+    return known(object.getCollisionShape());
+  } catch (const InvalidMesh& refused) {
+    const Point p = point_of(object.getWorldTransform().getOrigin());
+    throw InvalidMesh("the object at " + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " +
+                      std::to_string(p[2]) + ": " + refused.what());
+  }
+}
+
 void ClampedWorld::join(btCollisionObject* object, const KnownShape& shape) {
   const btTransform& place = object->getWorldTransform();
   const BodyId id = bodies_.add(shape.surface->mesh, motion_at(*object, pose_of(place)));
@@ -151,7 +163,7 @@ void ClampedWorld::take_anew(btCollisionObject* object, const KnownShape& shape)
 
 void ClampedWorld::addCollisionObject(btCollisionObject* object, int group, int mask) {
   try {
-    if (object->hasContactResponse()) join(object, known(object->getCollisionShape()));
+    if (object->hasContactResponse()) join(object, known_of(*object));
   } catch (...) {
     if (btRigidBody* const body = btRigidBody::upcast(object)) m_nonStaticRigidBodies.remove(body);
     throw;
@@ -198,10 +210,10 @@ void ClampedWorld::follow() {
   }
   for (int i = 0; i < getNumCollisionObjects(); ++i) {
     btCollisionObject* const object = getCollisionObjectArray()[i];
-    if (object->hasContactResponse() && !followed.contains(object)) join(object, known(object->getCollisionShape()));
+    if (object->hasContactResponse() && !followed.contains(object)) join(object, known_of(*object));
   }
   for (btCollisionObject* const object : changed)
-    take_anew(object, known(object->getCollisionShape()));  // a refused object stays as it was: the step ends here
+    take_anew(object, known_of(*object));  // a refused object stays as it was: the step ends here
 }
 
 bool ClampedWorld::collides(const adapters::BodyPair& bodies) const {

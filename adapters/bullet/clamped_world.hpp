@@ -79,6 +79,8 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   /// With another mesh.
   void take_anew(btCollisionObject* object, const KnownShape& shape);
   KnownShape known(const btCollisionShape* shape) const;
+  /// Says where the object is if its shape is refused.
+  KnownShape known_of(const btCollisionObject& object) const;
   void put(BodyId id, Member& member);
   /// Forgets what held the body back in the last step: it was moved from outside.
   void forget_limits_of(BodyId id);

@@ -72,7 +72,12 @@ TEST(MeshOfShape, RefusesWhatHasNoTriangles) {
   EXPECT_THROW(mesh_of(btStaticPlaneShape({0, 0, 1}, 0)), InvalidMesh);
   Simulation simulation;
   btSphereShape sphere(1);
-  EXPECT_THROW(simulation.add(sphere, 1, {0, 0, 0}), InvalidMesh);
+  try {
+    simulation.add(sphere, 1, {7, 0, 0});
+    ADD_FAILURE() << "a sphere was taken";
+  } catch (const InvalidMesh& refused) {
+    EXPECT_NE(std::string(refused.what()).find("the object at 7.0"), std::string::npos) << refused.what();
+  }
   EXPECT_EQ(simulation.world.getNumCollisionObjects(), 0);
   EXPECT_EQ(simulation.world.getNonStaticRigidBodies().size(), 0);
   simulation.world.set_mesh(sphere, mesh_of(btBoxShape({1, 1, 1})));

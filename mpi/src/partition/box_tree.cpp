@@ -5,7 +5,7 @@ namespace tamis::distributed {
 BoxTree::BoxTree(std::vector<MovingBox> leaves) : levels_{std::move(leaves)} {
   while (levels_.back().size() > 1) {
     const std::vector<MovingBox>& below = levels_.back();
-    std::vector<MovingBox> level((below.size() + kChildren - 1) / kChildren, MovingBox::empty());
+    std::vector<MovingBox> level((below.size() + kChildren - 1) / kChildren);
     for (std::size_t node = 0; node < below.size(); ++node) level[node / kChildren].include(below[node]);
     levels_.push_back(std::move(level));
   }

@@ -6,25 +6,13 @@
 namespace tamis::distributed {
 namespace {
 
-void include(Box& box, const Point& point) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.low[axis] = std::min(box.low[axis], point[axis]);
-    box.high[axis] = std::max(box.high[axis], point[axis]);
-  }
-}
-
-void include(Box& box, const Box& other) {
-  include(box, other.low);
-  include(box, other.high);
-}
-
 /// Widens by at least `distance`, whatever the rounding.
 void widen(Box& box, double distance) {
   if (distance == 0) return;
-  const double more = std::nextafter(distance * (1 + 0x1p-40), kInfinity);
+  const double more = std::nextafter(distance * (1 + 0x1p-40), kUnbounded);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.low[axis] = std::nextafter(box.low[axis] - more, -kInfinity);
-    box.high[axis] = std::nextafter(box.high[axis] + more, kInfinity);
+    box.low[axis] = std::nextafter(box.low[axis] - more, -kUnbounded);
+    box.high[axis] = std::nextafter(box.high[axis] + more, kUnbounded);
   }
 }
 
@@ -62,30 +50,25 @@ double extent(const Box& a, const Box& b, std::size_t axis) {
 
 }  // namespace
 
-void MovingBox::include(const MovingBox& box) {
-  distributed::include(start, box.start);
-  distributed::include(other, box.other);
-}
-
 std::vector<MovingBox> boxes_of(const ElementSet& set, const BoxRule& rule) {
   std::vector<MovingBox> boxes;
   boxes.reserve(set.elements.size());
   for (const Corners& corners : set.elements) {
-    MovingBox box = MovingBox::empty();
+    MovingBox box;
     double radius = 0;
     for_each_corner(corners, [&](std::size_t v) {
       const Motion& motion = set.motions[v];
-      include(box.start, motion.start);
-      include(box.other, rule.has_drifts ? drift_of(motion) : motion.end);
+      box.start.include(motion.start);
+      box.other.include(rule.has_drifts ? drift_of(motion) : motion.end);
       if (!rule.radius_of_group.empty())
         radius = std::max(radius, rule.radius_of_group[static_cast<std::size_t>(set.vertices[v].group)]);
     });
     const double distance = radius + 0.5 * rule.min_separation;
-    widen(box.start, rule.min_separation > 0 ? std::nextafter(distance, kInfinity) : distance);
+    widen(box.start, rule.min_separation > 0 ? std::nextafter(distance, kUnbounded) : distance);
     if (rule.has_drifts)
       widen_drifts(box.other);
     else
-      widen(box.other, rule.min_separation > 0 ? std::nextafter(distance, kInfinity) : distance);
+      widen(box.other, rule.min_separation > 0 ? std::nextafter(distance, kUnbounded) : distance);
     boxes.push_back(box);
   }
   return boxes;

@@ -1,28 +1,19 @@
 // Boxes of elements, and tests whether two of them may hold features that matter. Everything is in doubles and rounded
 // outward: a pair that a test leaves out is proven not to matter.
 #pragma once
-#include <limits>
-
+#include "bounds/box.hpp"
 #include "mpi/src/partition/element_set.hpp"
 
 namespace tamis::distributed {
 
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-struct Box {
-  Point low, high;
-};
-
-/// A box at t=0 and a box at t=1; for NearWithin the latter is a box of the vertices' displacements.
+/// A box at t=0 and a box at t=1; for NearWithin the latter is a box of the vertices' displacements. Empty at first.
 struct MovingBox {
   Box start, other;
 
-  /// Holds nothing.
-  static MovingBox empty() {
-    const Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-    return {box, box};
+  void include(const MovingBox& box) {
+    start.include(box.start);
+    other.include(box.other);
   }
-  void include(const MovingBox& box);
 };
 
 /// How the boxes of a question are made.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "bounds/box.hpp"
 #include "mpi/src/partition/box_tree.hpp"
-#include "mpi/src/partition/moving_box.hpp"
 
 namespace tamis::distributed {
 namespace {
@@ -44,15 +44,12 @@ std::vector<Point> centers_of(const ElementSet& set) {
   std::vector<Point> centers;
   centers.reserve(set.elements.size());
   for (const Corners& corners : set.elements) {
-    Point low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+    Box box;
     for_each_corner(corners, [&](std::size_t v) {
-      for (const Point& p : {set.motions[v].start, set.motions[v].end})
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          low[axis] = std::min(low[axis], p[axis]);
-          high[axis] = std::max(high[axis], p[axis]);
-        }
+      box.include(set.motions[v].start);
+      box.include(set.motions[v].end);
     });
-    centers.push_back({0.5 * low[0] + 0.5 * high[0], 0.5 * low[1] + 0.5 * high[1], 0.5 * low[2] + 0.5 * high[2]});
+    centers.push_back(box.middle());
   }
   return centers;
 }

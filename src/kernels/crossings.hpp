@@ -20,25 +20,18 @@ struct CrossingBatch {
 /// whose `lanes` is 0 is skipped.
 template <PairKind kind, class Make, class Keep>
 inline void for_each_crossing(int count, const Make& make, const Keep& keep) {
-  using Batch = decltype(make(0));
-  struct Made {  // emplace() converts it to a batch in place, as a batch is too large to copy
-    operator Batch() const { return make(first); }
-    const Make& make;
-    int first;
-  };
-  std::optional<Batch> waiting, batch;
+  std::optional<decltype(make(0))> waiting;
   for (int first = 0; first < count; first += kDoubleLanes) {
-    auto& next = waiting ? batch : waiting;
-    if (!next.emplace(Made{make, first}).lanes) {
-      next.reset();
+    const auto batch = make(first);
+    if (!batch.lanes) continue;
+    if (!waiting) {
+      waiting.emplace(batch);
       continue;
     }
-    if (!batch) continue;
-    const auto crossings = find_two_crossings<kind>(waiting->motion, waiting->part, batch->motion, batch->part);
+    const auto crossings = find_two_crossings<kind>(waiting->motion, waiting->part, batch.motion, batch.part);
     keep(*waiting, crossings[0]);
-    keep(*batch, crossings[1]);
+    keep(batch, crossings[1]);
     waiting.reset();
-    batch.reset();
   }
   if (waiting) keep(*waiting, find_crossing<kind>(waiting->motion, waiting->part));
 }

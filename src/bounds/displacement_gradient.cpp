@@ -84,6 +84,9 @@ GradientFit fit_gradient(const PackedMotion& motion, std::span<const Index> vert
   Vec places{}, displacements{};
   SymmetricMatrix squares;
   std::array<Vec, 3> products{};  // [i]: displacement[i] times place
+  const auto add_product = [&](const Vec& u, const Vec& x) {
+    products = {products[0] + u.x * x, products[1] + u.y * x, products[2] + u.z * x};
+  };
   for (std::size_t i = 0; i < vertices.size(); i += stride) {
     if (motion.is_outlier(vertices[i])) continue;
     ++count;
@@ -92,8 +95,7 @@ GradientFit fit_gradient(const PackedMotion& motion, std::span<const Index> vert
     places = places + place;
     displacements = displacements + displacement;
     squares.add_square(place, 1);
-    products = {products[0] + displacement.x * place, products[1] + displacement.y * place,
-                products[2] + displacement.z * place};
+    add_product(displacement, place);
   }
   GradientFit result;
   if (!(count > 0)) return result;
@@ -104,9 +106,8 @@ GradientFit fit_gradient(const PackedMotion& motion, std::span<const Index> vert
   if (!(ridge > 0)) return result;  // any gradient fits a point
   for (double* diagonal : {&squares.xx, &squares.yy, &squares.zz}) *diagonal += ridge;
   const DisplacementGradient solve{inverse(squares)};
-  const std::array<double, 3> displacement{result.mean_displacement.x, result.mean_displacement.y,
-                                           result.mean_displacement.z};
-  for (std::size_t i = 0; i < 3; ++i) result.gradient.rows[i] = solve.at(products[i] - displacement[i] * places);
+  add_product(-result.mean_displacement, places);
+  for (std::size_t i = 0; i < 3; ++i) result.gradient.rows[i] = solve.at(products[i]);
   return result;
 }
 

@@ -27,7 +27,7 @@ def group_count_of(groups: npt.ArrayLike | None) -> int:
     return 1 + most
 
 
-def set_groups(
+def _set_groups(
     options: _core.Options,
     groups: npt.ArrayLike | None,
     may_touch: npt.ArrayLike | None,

@@ -56,8 +56,8 @@ class SomeVertices {
   void find_shortest() {
     constexpr std::ptrdiff_t kSlivers = 2;
     constexpr double kNothing = 0x1p-24;
-    std::array<double, kMostPairs> sorted = distances_;
-    const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(count_);
+    std::array<double, kMostPairs> sorted;
+    const auto end = std::copy_n(distances_.begin(), count_, sorted.begin());
     std::sort(sorted.begin(), end);
     nothing_ = kNothing * sorted[count_ / 2];
     const auto first = std::lower_bound(sorted.begin(), end, nothing_);

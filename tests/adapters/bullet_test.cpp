@@ -97,32 +97,34 @@ TEST(ClampedWorld, MovesABodyThatMeetsNobodyAsBulletDoes) {
   EXPECT_NEAR(body.getWorldTransform().getOrigin().y(), -10 * 55 / 3600.0, 1e-5);  // 1 + 2 + ... + 10 steps of gravity
 }
 
-TEST(ClampedWorld, LetsBodiesApartThatOverlapAtTheStart) {
-  btBoxShape box({1, 1, 1});
+/// A box within another one that stands, after the first step.
+class OverlappingBoxes : public testing::Test {
+ protected:
+  OverlappingBoxes() {
+    simulation.world.setGravity({0, 0, 0});
+    simulation.add(box, 0, {0, 0, 0});
+    body = &simulation.add(box, 1, {0.1F, 0.2F, 1.5F});
+    simulation.run(1);
+    EXPECT_EQ(simulation.world.last_step().overlapping, 1U);
+  }
+
+  btBoxShape box{{1, 1, 1}};
   Simulation simulation;
-  simulation.world.setGravity({0, 0, 0});
-  simulation.add(box, 0, {0, 0, 0});
-  btRigidBody& body = simulation.add(box, 1, {0.1F, 0.2F, 1.5F});
-  simulation.run(1);
-  EXPECT_EQ(simulation.world.last_step().overlapping, 1U);
+  btRigidBody* body;
+};
+
+TEST_F(OverlappingBoxes, ComeApart) {
   simulation.run(120);
   EXPECT_EQ(simulation.world.last_step().overlapping, 0U);
-  EXPECT_GT(body.getWorldTransform().getOrigin().z(), 1.9F);
+  EXPECT_GT(body->getWorldTransform().getOrigin().z(), 1.9F);
 }
 
 /// While they overlap they are not asked about; afterwards they are.
-TEST(ClampedWorld, StopsBodiesAtEachOtherThatOverlappedOnce) {
-  btBoxShape box({1, 1, 1});
-  Simulation simulation;
-  simulation.world.setGravity({0, 0, 0});
-  simulation.add(box, 0, {0, 0, 0});
-  btRigidBody& body = simulation.add(box, 1, {0.1F, 0.2F, 1.5F});
-  simulation.run(1);
-  ASSERT_EQ(simulation.world.last_step().overlapping, 1U);
-  body.setCenterOfMassTransform(btTransform(btQuaternion::getIdentity(), {0, 0, 4}));
-  body.setLinearVelocity({0, 0, -500});
+TEST_F(OverlappingBoxes, StopAtEachOtherOnceApart) {
+  body->setCenterOfMassTransform(btTransform(btQuaternion::getIdentity(), {0, 0, 4}));
+  body->setLinearVelocity({0, 0, -500});
   simulation.run(3);
-  EXPECT_GT(body.getWorldTransform().getOrigin().z(), 2);
+  EXPECT_GT(body->getWorldTransform().getOrigin().z(), 2);
 }
 
 TEST(NearContacts, KeepTheCornersAndTheNearest) {

@@ -74,6 +74,8 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   class Way;
   class Step;
 
+  /// A body that stands or sleeps is static.
+  static BodyMotion motion_at(const btCollisionObject& object, const Pose& pose);
   void join(btCollisionObject* object, const KnownShape& shape);
   void leave(const btCollisionObject* object);
   /// With another mesh.

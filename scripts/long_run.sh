@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# long_run.sh [--build FOLDER] [--seed S] [ORACLE_PAIRS [EXACT_PAIRS]]: makes the long differential runs of docs/numerics.md,
+# long_run.sh [--build FOLDER] [--seed S] [ORACLE_PAIRS [EXACT_PAIRS]]: makes the long differential runs of docs/reliability.md,
 # by default 10^7 pairs against the oracle and 10^8 against the exact decision; half of each are decided one by one, half
 # many in a mesh. Four processes run with a lower priority. Their counts so far are in FOLDER/long_run/*.txt, the pairs of
 # broken promises in *.err. Exit code 1 if there are any. FOLDER (default: build/dev) must have been built.

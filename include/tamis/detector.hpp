@@ -55,7 +55,7 @@ class Detector {
   /// Times are the path's. Memory holds, of one piece at a time, all pairs that come nearer than their deviations.
   /// Throws InvalidPath if the path does not fit the mesh or breaks its promises, and InvalidOptions. With
   /// AtStart::ignore a pair that may touch at t=0 counts from the first of some times on at which it is proven apart
-  /// (docs/numerics.md, "Curved motion").
+  /// (docs/numerics/curves.md, "Curved motion").
   const std::vector<Contact>& contacts(const Path& path, const QueryOptions& = {}) &;
   std::vector<Contact> contacts(const Path& path, const QueryOptions& asked = {}) && { return contacts(path, asked); }
   EarliestContact earliest(const Path& path, const QueryOptions& = {});

@@ -55,7 +55,7 @@ double nlerp_deviation(const Pose& start, const Pose& end);
 /// Bodies that each move on a chain of links; a vertex may at the same time go straight in its body's frame. Positions
 /// use rotations rounded to doubles, with a proven error. Where that is too coarse, interval arithmetic in doubles or
 /// double-double encloses them, sine and cosine by their alternating series. Deviations: |x''| (to - from)^2 / 8
-/// (docs/numerics.md, "Curved motion").
+/// (docs/numerics/curves.md, "Curved motion").
 class RigidPath final : public Path {
  public:
   /// `rest`: each vertex in its body's own frame. `body_of_vertex`: one a vertex, in [0, chains.size()). `rest_end`:

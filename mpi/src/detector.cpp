@@ -56,7 +56,7 @@ struct Detector::State {
       keep_first(first, safe);
       upper = std::min(upper, safe.upper);
     };
-    // The factor covers the rounding of a pair's own time (docs/numerics.md, "Step lengths").
+    // The factor covers the rounding of a pair's own time (docs/numerics/steps.md, "Step lengths").
     searches.search_in_turn(ask, true, [&] {
       const double until = soon_after(searches.communicator().least(first.lower)) * (1 + 0x1p-14);
       return NearWithin{until / (1 - keep)};

@@ -1,5 +1,5 @@
 // The frame of the whole scene, which all ranks find together. The boxes of every search are floats in it, and so the
-// last bits of contacts depend on it (docs/numerics.md, "Boxes").
+// last bits of contacts depend on it (docs/numerics/one-pair.md, "Boxes").
 #pragma once
 #include "bounds/box_frame.hpp"
 #include "mpi/src/communicator.hpp"

@@ -59,7 +59,7 @@ double PredictedStep::nearest_time(const Positions& positions) const {
 }
 
 /// The largest deviation, by sums over the axes, which bound distances; nothing beyond `most`. 2^-49: rounding
-/// (docs/numerics.md, "Pairs listed ahead").
+/// (docs/numerics/steps.md, "Pairs listed ahead").
 std::optional<double> PredictedStep::deviation(const Positions& positions, double t, double most) const {
   constexpr double kTooFar = std::numeric_limits<double>::infinity();
   const auto largest_of_part = [&](std::size_t begin, std::size_t end) {

@@ -128,8 +128,8 @@ ChainBounds::ChainBounds(const Chain& chain)
 }
 
 /// From the innermost link outward, bounds y and its derivatives, where a link takes x, the point that the inner links
-/// leave, to y = R x + p. With |R'| <= w and |R''| <= w^2 for a rotation vector that changes by w (docs/numerics.md,
-/// "Curved motion"):
+/// leave, to y = R x + p. With |R'| <= w and |R''| <= w^2 for a rotation vector that changes by w
+/// (docs/numerics/curves.md, "Curved motion"):
 ///   y' = R' x + R x' + p',   y'' = R'' x + 2 R' x' + R x''.
 Curvature ChainBounds::of(double from_origin, double displacement) const {
   Interval place(from_origin), speed(displacement), acceleration(0);

@@ -15,7 +15,7 @@ struct RoundedRotation {
 inline constexpr double kLargestRoundedAngle = 4;
 
 /// The rotation by `rotation` (its direction the axis, its length the angle), and a bound of its distance from the
-/// rotation by the true vector, which is no farther than `off` from that one. Proof: docs/numerics.md, "Sine and
+/// rotation by the true vector, which is no farther than `off` from that one. Proof: docs/numerics/curves.md, "Sine and
 /// cosine". REQUIRES: `rotation` is no longer than kLargestRoundedAngle, but for rounding.
 RoundedRotation rounded_rotation(const Point& rotation, double off);
 

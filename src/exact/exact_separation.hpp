@@ -7,7 +7,7 @@
 //   plane            (c.n)^2 - s^2 n.n                  degree 6
 // At a root, signs of polynomials of degree at most 4 tell whether the foot of the perpendicular lies on the feature;
 // if it does, the distance is at most s then. So the first such root of all is the first time. Proof, and why a
-// polynomial that is always zero may be left out: docs/numerics.md.
+// polynomial that is always zero may be left out: docs/numerics/distances.md, "In integers".
 #pragma once
 #include "exact/moving_polygon.hpp"
 #include "exact/touching_times.hpp"

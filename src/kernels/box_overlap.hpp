@@ -20,7 +20,7 @@ struct alignas(64) BoundBlock {
 };
 
 /// Interpolated boxes, and boxes relative to a moving observer, are off by less than this
-/// (docs/numerics.md, "Boxes").
+/// (docs/numerics/one-pair.md, "Boxes").
 inline constexpr float kLaterMargin = 0x1p-18f;
 /// Boxes of outliers are off by less than this besides, times their largest coordinate along the axis. The difference
 /// of the coordinates at both ends is off by 2^-23 of that, and so is its product with a time, which also carries the

@@ -2,7 +2,7 @@
 // second be pushed back, so that they part. A pair that comes near (with a minimum separation, or of a kind that cannot
 // cross) has the direction between the closest points at toi_lower; a pair that crosses has the normal of the face, or
 // of both edges, towards the side where the first feature was. Doubles tell where they can, integers the rest
-// (docs/numerics.md, "Normals").
+// (docs/numerics/distances.md, "Normals").
 #pragma once
 #include "motion/make_motion.hpp"
 #include "motion/time_clip.hpp"

@@ -63,8 +63,8 @@ std::optional<Decision> first_within_finely(const PairInStep& pair, const TimeIn
 // In place of all these stages, for a pair within its separation at t=0 where such contacts are ignored: recontact.cpp.
 
 /// Finds when the pair is first within its separation again after it has left it: free if it never leaves, or never
-/// comes back. Nothing where doubles cannot tell when, or whether, it leaves (docs/numerics.md, "Ignored at the
-/// start"). REQUIRES: the motion of the whole step, finite; a separation > 0.
+/// comes back. Nothing where doubles cannot tell when, or whether, it leaves (docs/numerics/distances.md, "Ignored at
+/// the start"). REQUIRES: the motion of the whole step, finite; a separation > 0.
 std::optional<Decision> first_recontact_within(PairKind kind, const PairMotion<double>& m);
 
 }  // namespace tamis

@@ -78,7 +78,7 @@ class Recontact {
   }
 
   /// Is the distance proven to grow throughout? Then the pair leaves its separation once at most. Proof:
-  /// docs/numerics.md, "Ignored at the start".
+  /// docs/numerics/distances.md, "Ignored at the start".
   bool grows(double from, double until) const {
     const double middle = 0.5 * (from + until);
     const ClosestPoints closest = probe_.distance_at(middle).closest;

@@ -1,6 +1,6 @@
 // Every rounding-error constant of the double-precision culling and solving, with its derivation in short;
-// docs/numerics.md has the long form. Unit: the roundoff u of the number type, times the product of the sizes of the
-// vectors involved.
+// docs/numerics/one-pair.md has the long form. Unit: the roundoff u of the number type, times the product of the sizes
+// of the vectors involved.
 //
 // A pair is three moving vectors e, f, d with sizes E, F, D = the largest |component| at t=0 and t=1, scaled by a
 // power of two so that the largest size is below 1 (motion/pair_motion.hpp).
@@ -118,7 +118,7 @@ inline constexpr double kTurningGap = 96;
 inline constexpr double kKeptGap = 128;
 
 // A part of D + E + F. While a pair's clearance exceeds it, advancement (narrow/first_within.hpp) goes on, and each
-// advance is at least 1/16 of this part of the step (docs/numerics.md, "Step lengths").
+// advance is at least 1/16 of this part of the step (docs/numerics/steps.md, "Step lengths").
 inline constexpr double kAdvanceClearance = 0x1p-10;
 
 // The same for every pair within two boxes, times the largest extent X along an axis from the lower end of one box to

@@ -1,7 +1,7 @@
 // A pair on a piece of its path: the motion of its chords, and the certificates for the curves. With x(t) = chord(t) +
 // s(t) and |s(t)| <= deviation, moving both ends of the chord by the same s(t) gives x(t). So Bernstein coefficients
 // computed from ends that are widened by the deviation hold for the curve, and the filters for straight motion run on
-// intervals (docs/numerics.md, "Curved motion").
+// intervals (docs/numerics/curves.md, "Curved motion").
 #pragma once
 #include <cmath>
 

@@ -18,7 +18,7 @@ class StepLengthSearch {
   explicit StepLengthSearch(Workspace& workspace)
       : workspace_(workspace), near_start_(workspace.mesh), streams_(workspace), candidates_(workspace) {}
 
-  /// As Engine::find_step_length (docs/numerics.md, "Step lengths").
+  /// As Engine::find_step_length (docs/numerics/steps.md, "Step lengths").
   SafeStep find(const Query& query, double fraction, Statistics& statistics);
   /// As Engine::find_step_ends.
   void find_all(const Query& query, double fraction, std::vector<StepLimit>& ends, Statistics& statistics);

@@ -35,7 +35,7 @@ struct MeetUntil {
 
 /// May a pair of features in two boxes end the step before a time, if it must keep a fraction of its distance? Only if
 /// its clearance at t=0 is at most `reach` = time / (1 - keep) times the speed at which its features move against each
-/// other (docs/numerics.md, "Step lengths").
+/// other (docs/numerics/steps.md, "Step lengths").
 struct NearWithin {
   double reach = 1;
 

@@ -12,6 +12,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = "docs/questions.md"
+LISTS = "NO_QUESTIONS of scripts/check_questions.py"
 DETECTOR = "include/tamis/detector.hpp"
 # Sources of tests that must ask every question of a detector.
 ASK_ALL = ("tests/support/every_question.cpp", "tests/support/as_new.hpp")
@@ -123,7 +124,7 @@ def faults() -> list[str]:
         for number, offered in enumerate(columns, start=1):
             named = set(re.findall(r"`([\w-]+)`", " ".join(row[number] for row in rows)))
             offered = offered - NO_QUESTIONS
-            found += [f"{title}, {head[number]}: no row names {name}" for name in sorted(offered - named)]
+            found += [f"{title}, {head[number]}: no row names {name}; if it is no question, say so in {LISTS}" for name in sorted(offered - named)]
             found += [f"{title}, {head[number]}: there is no {name}" for name in sorted(named - offered)]
         for row in rows:
             if "-" in row and not any(row[len(columns) + 1 :]):

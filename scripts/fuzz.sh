@@ -26,7 +26,11 @@ if [[ -z $runs ]]; then
   seconds=${targets[0]:?give the seconds a target}
   targets=("${targets[@]:1}")
 fi
-((${#targets[@]})) || targets=(pair mesh ply obj queries)
+if ! ((${#targets[@]})); then
+  targets=(tests/fuzz/*_fuzz.cpp)
+  targets=("${targets[@]##*/}")
+  targets=("${targets[@]%_fuzz.cpp}")
+fi
 
 command -v clang++-14 >/dev/null || { echo "skipped: no clang++-14"; exit 77; }
 runtime=$(clang++-14 --print-file-name=libclang_rt.fuzzer-x86_64.a)

@@ -6,13 +6,14 @@
 #include "cli/command_line/arguments.hpp"
 #include "cli/command_line/verb.hpp"
 #include "cli/step_files.hpp"
+#include "io/mesh/mesh_formats.hpp"
 
 namespace tamis::cli {
 
 class PoseVerb : public Verb {
  public:
   void declare(OptionList& options) override {
-    options.add_text("MESH", path_, "PLY or OBJ").required();
+    options.add_text("MESH", path_, io::mesh_format_names()).required();
     detector_.declare_means(options);
     declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
     declare_json(options, json_);

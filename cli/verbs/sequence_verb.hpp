@@ -5,6 +5,7 @@
 
 #include "cli/command_line/arguments.hpp"
 #include "cli/command_line/verb.hpp"
+#include "io/mesh/mesh_formats.hpp"
 
 namespace tamis::cli {
 
@@ -12,7 +13,9 @@ class SequenceVerb : public Verb {
  public:
   void declare(OptionList& options) override {
     options
-        .add_texts("FRAMES", names_, "files, folders or patterns of PLY or OBJ; taken in natural order (2 before 10)")
+        .add_texts(
+            "FRAMES", names_,
+            "files, folders or patterns of " + io::mesh_format_names() + "; taken in natural order (2 before 10)")
         .required();
     detector_.declare(options);
     at_start_.declare(options);

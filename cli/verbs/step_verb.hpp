@@ -5,13 +5,14 @@
 #include "cli/command_line/arguments.hpp"
 #include "cli/command_line/verb.hpp"
 #include "cli/step_files.hpp"
+#include "io/mesh/mesh_formats.hpp"
 
 namespace tamis::cli {
 
 class StepVerb : public Verb {
  public:
   void declare(OptionList& options) override {
-    options.add_text("START", start_, "the mesh at t=0: PLY or OBJ").required();
+    options.add_text("START", start_, "the mesh at t=0: " + io::mesh_format_names()).required();
     options.add_text("END", end_, "the same mesh at t=1").required();
     detector_.declare(options);
     at_start_.declare(options);

@@ -13,6 +13,7 @@
 #include "cli/progress.hpp"
 #include "cli/verbs/audit_report.hpp"
 #include "io/format.hpp"
+#include "io/mesh/mesh_formats.hpp"
 #include "io/motion/motion.hpp"
 #include "io/output/audit_csv.hpp"
 #include "io/view/audit_page.hpp"
@@ -39,8 +40,9 @@ class Audit final : public Verb {
   void declare(OptionList& options) override {
     options
         .add_texts("FRAMES", names_,
-                   "files, folders or patterns of PLY or OBJ, in natural order (2 before 10); or a mesh file and a "
-                   "point cache, .pc2 or .mdd")
+                   "files, folders or patterns of " + io::mesh_format_names() +
+                       ", in natural order (2 before 10); or a mesh file and a "
+                       "point cache, .pc2 or .mdd")
         .required();
     declare_output(options, out_, "the file to write: csv, the pairs, or html, a page that shows them");
     options.add_text("--out-frames", out_frames_, "a table of the frames to write: csv").shown_as("FILE");

@@ -13,6 +13,7 @@
 #include "cli/step_files.hpp"
 #include "cli/verbs/bench.hpp"
 #include "io/atomic_file.hpp"
+#include "io/mesh/mesh_formats.hpp"
 #include "io/output/csv.hpp"
 #include "io/scale_step.hpp"
 #include "scenes/scene_list.hpp"
@@ -30,7 +31,7 @@ void require_known(const char* what, const std::vector<std::string>& names, cons
 }  // namespace
 
 void Bench::declare(OptionList& options) {
-  options.add_text("START", start_, "the mesh at t=0: PLY or OBJ");
+  options.add_text("START", start_, "the mesh at t=0: " + io::mesh_format_names());
   options.add_text("END", end_, "the same mesh at t=1");
   declare_lists(options);
   options.add_number("--cold", "N", setup_.cold, kRunCounts,

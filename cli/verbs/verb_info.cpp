@@ -9,6 +9,7 @@
 #include "cli/report.hpp"
 #include "cli/step_files.hpp"
 #include "cli/verbs/mesh_facts.hpp"
+#include "io/mesh/mesh_formats.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -22,7 +23,7 @@ class Info final : public Verb {
            "  tamis info cloth.obj --json";
   }
   void declare(OptionList& options) override {
-    options.add_text("MESH", path_, "PLY or OBJ").required();
+    options.add_text("MESH", path_, io::mesh_format_names()).required();
     declare_json(options, json_);
   }
 

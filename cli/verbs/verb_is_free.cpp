@@ -12,6 +12,7 @@
 #include "cli/progress.hpp"
 #include "cli/start_check.hpp"
 #include "cli/verbs/sequence_steps.hpp"
+#include "io/mesh/mesh_formats.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -30,7 +31,9 @@ class IsFree final : public Verb {
 
   void declare(OptionList& options) override {
     options
-        .add_texts("FRAMES", names_, "START END, or more: files, folders or patterns of PLY or OBJ, in natural order")
+        .add_texts(
+            "FRAMES", names_,
+            "START END, or more: files, folders or patterns of " + io::mesh_format_names() + ", in natural order")
         .required();
     detector_.declare(options);
     at_start_.declare(options);

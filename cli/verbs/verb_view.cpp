@@ -10,6 +10,7 @@
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
 #include "cli/verbs/moving_frames.hpp"
+#include "io/mesh/mesh_formats.hpp"
 #include "io/scale_step.hpp"
 
 namespace tamis::cli {
@@ -30,7 +31,8 @@ class View final : public Verb {
   void declare(OptionList& options) override {
     options
         .add_texts("FRAMES", names_,
-                   "START END, or one frame, or more: files, folders or patterns of PLY or OBJ, in natural order")
+                   "START END, or one frame, or more: files, folders or patterns of " + io::mesh_format_names() +
+                       ", in natural order")
         .required();
     output_.declare(options);
     detector_.declare(options);

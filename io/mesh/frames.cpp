@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "io/error.hpp"
-#include "io/mesh/mesh_file.hpp"
+#include "io/mesh/mesh_formats.hpp"
 
 namespace tamis::io {
 namespace {
@@ -40,7 +40,9 @@ std::vector<std::filesystem::path> mesh_files_in(const std::filesystem::path& fo
   for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
     if (std::error_code unknown; !it->is_directory(unknown) && is_mesh_name(it->path())) files.push_back(it->path());
   if (error) throw FileError(folder.string(), "", "the folder cannot be read: check its permissions");
-  if (files.empty()) throw FileError(folder.string(), "", "no PLY or OBJ file in this folder: give one that has some");
+  if (files.empty())
+    throw FileError(folder.string(), "",
+                    fmt::format("no {} file in this folder: give one that has some", mesh_format_names()));
   return files;
 }
 

@@ -4,24 +4,21 @@
 #include <limits>
 
 #include "io/error.hpp"
-#include "io/extension.hpp"
 #include "io/file_bytes.hpp"
-#include "io/mesh/obj.hpp"
-#include "io/mesh/ply.hpp"
+#include "io/mesh/mesh_formats.hpp"
 
 namespace tamis::io {
 namespace {
 
 MeshFile parse(const FileBytes& bytes, const std::filesystem::path& path) {
   const std::string name = path.string();
-  if (bytes.view().empty()) throw FileError(name, "", "the file is empty: give a PLY or OBJ file");
-  if (looks_like_ply(bytes.view())) return parse_ply(bytes.view(), name);
-  const std::string extension = extension_of(path);
-  if (extension == ".obj") return parse_obj(bytes.view(), name);
-  if (extension == ".ply") throw FileError(name, "line 1", "a PLY file starts with the line 'ply': write it again");
+  if (bytes.view().empty())
+    throw FileError(name, "", fmt::format("the file is empty: give a {} file", mesh_format_names()));
+  if (const MeshFormat* format = mesh_format_of(bytes.view(), path)) return format->parse(bytes.view(), name);
   throw FileError(name, "",
-                  "neither PLY nor OBJ: convert it to one of these, or let the name of an OBJ file end in .obj; "
-                  "tamis.audit in Python reads USD and glTF");
+                  fmt::format("not {}: convert it to such a file, or let its name end as that of its format; "
+                              "tamis.audit in Python reads USD and glTF",
+                              mesh_format_names()));
 }
 
 /// Two files under comparison.
@@ -55,11 +52,6 @@ MeshFile read_mesh(const std::filesystem::path& path) {
   if (mesh.faces.empty() && mesh.loose_edges.empty() && mesh.loose_points.empty())
     throw FileError(path.string(), "", "no face and no edge in it: give a mesh, not a bare set of points");
   return mesh;
-}
-
-bool is_mesh_name(const std::filesystem::path& path) {
-  const std::string extension = extension_of(path);
-  return extension == ".ply" || extension == ".obj";
 }
 
 void note_open_end(std::string_view text, MeshFile& mesh) {

@@ -18,12 +18,9 @@ struct MeshFile {
   std::vector<std::string> notes;  ///< what a reader should know: polygons cut, elements skipped
 };
 
-/// Reads PLY or OBJ, told apart by content, then by extension. Every index is in range and there is at least one
-/// feature. Throws FileError.
+/// Reads a file of any of the mesh_formats(). Every index is in range and there is at least one feature. Throws
+/// FileError.
 MeshFile read_mesh(const std::filesystem::path& path);
-
-/// Does the name end as those of PLY and OBJ files do?
-bool is_mesh_name(const std::filesystem::path& path);
 
 /// Notes a last line without a line end: the text may have been cut inside its last number, and nothing else shows it.
 void note_open_end(std::string_view text, MeshFile& mesh);

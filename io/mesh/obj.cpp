@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "io/error.hpp"
+#include "io/mesh/mesh_formats.hpp"
 #include "io/mesh/polygons.hpp"
 #include "io/text.hpp"
 
@@ -83,7 +84,8 @@ class ObjParser {
     else if (contains(kFreeForm, keyword))
       has_free_form_ = true;
     else if (!contains(kPassedOver, keyword))
-      fail(fmt::format("{} is no word of OBJ: correct the line, or give a PLY or OBJ file", in_quotes(keyword)));
+      fail(fmt::format("{} is no word of OBJ: correct the line, or give a {} file", in_quotes(keyword),
+                       mesh_format_names()));
   }
 
   void add_vertex() {

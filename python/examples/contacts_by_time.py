@@ -15,7 +15,7 @@ import tamis
 def main() -> None:
     """Ask, and draw."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("frames", nargs="*", help="two files, PLY or OBJ")
+    parser.add_argument("frames", nargs="*", help="two mesh files")
     parser.add_argument("--scale", type=float, default=1.0, help="how much longer the motion is made")
     parser.add_argument("--size", type=float, default=3.0, help="of the dots")
     parser.add_argument("--out", default="contacts_by_time.png")

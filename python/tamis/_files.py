@@ -35,7 +35,7 @@ class MeshFile(NamedTuple):
 
 
 def read_mesh(path: str | os.PathLike[str]) -> MeshFile:
-    """Read a PLY or OBJ file; polygons are cut into fans.
+    """Read a mesh file (docs/files-and-command.md, "Mesh files"); polygons are cut into fans.
 
     Parameters
     ----------

@@ -49,7 +49,7 @@ TEST_F(BadInput, FilesThatCannotBeUsed) {
   const std::pair<const char*, const char*> cases[] = {
       {"absent.obj", "absent.obj: cannot be read"},
       {"hollow", "hollow: cannot be read"},
-      {"notes.txt", "notes.txt: neither PLY nor OBJ"},
+      {"notes.txt", "notes.txt: not PLY"},
       {"empty.ply", "empty.ply: the file is empty"},
       {"nothing.obj", "nothing.obj: no vertex"},
       {"points.obj", "points.obj: no face and no edge"},
@@ -81,7 +81,7 @@ TEST_F(BadInput, FramesThatDoNotBelongTogether) {
 TEST_F(BadInput, SequencesWithoutMotion) {
   expect_error("sequence above.obj", "above.obj: a single frame");
   expect_error("sequence one", "frame.obj: a single frame");
-  expect_error("sequence hollow", "hollow: no PLY or OBJ file");
+  expect_error("sequence hollow", "hollow: no PLY");
   expect_error("sequence 'z*.obj'", "z*.obj: no such file");
 }
 

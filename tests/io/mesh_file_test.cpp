@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/mesh/mesh_formats.hpp"
 #include "io/messages.hpp"
 #include "io/ply_builder.hpp"
 #include "support/temporary_folder.hpp"
@@ -23,7 +24,7 @@ TEST_F(MeshFiles, TellsFormatsByContentThenByName) {
   const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   EXPECT_EQ(read_mesh(folder_.write("a.dat", ply)).faces.size(), 2u);
   EXPECT_EQ(read_mesh(folder_.write("a.OBJ", obj)).faces.size(), 1u);
-  EXPECT_TRUE(test::contains(error_of(folder_.write("a.stl", "solid cube\n")), "neither PLY nor OBJ"));
+  EXPECT_TRUE(test::contains(error_of(folder_.write("a.stl", "solid cube\n")), "not " + mesh_format_names()));
   EXPECT_TRUE(test::contains(error_of(folder_.write("b.ply", obj)), "line 1"));
 }
 

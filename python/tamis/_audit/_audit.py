@@ -50,7 +50,7 @@ def audit(
 
         - array_like, shape (f, n, 3), or an iterable of frames, shape (n, 3) each: needs `mesh` or `faces`. Or what
           `read_frames` returns, which has a mesh.
-        - The name of a file, a folder or a glob pattern, or a list of them: PLY and OBJ files, sorted in natural order;
+        - The name of a file, a folder or a glob pattern, or a list of them: mesh files, sorted in natural order;
           a mesh file with a point cache (.pc2, .mdd), or the cache alone with `mesh`; or one .npz archive, whose only
           array of shape (f, n, 3) has the positions, and whose only array of whole numbers of shape (t, 3) has the
           faces (or give `mesh`).
@@ -167,7 +167,7 @@ def _frames_of_file(name: str, suffix: str, known: _Known) -> Iterator[Frame]:
 
 
 def _ask_files(names: list[str], known: _Known, options: _core.AuditOptions) -> _core.AuditReport:
-    """Audit PLY and OBJ files and point caches, which the compiled part reads."""
+    """Audit mesh files and point caches, which the compiled part reads."""
     paths, has_cache = _core.motion_files(names)
     is_cache_alone = has_cache and len(paths) == 1
     if not is_cache_alone:

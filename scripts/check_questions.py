@@ -1,18 +1,18 @@
 #!/usr/bin/env python3
-"""Checks that docs/questions.md lists exactly the questions of every door, and that tests of all questions ask all.
+"""Checks that docs/questions.md lists exactly the questions and options of every door.
 
-A door is an interface of Tamis: C++, Python, C, the command, MPI.
+Also that tests of all questions ask all. A door is an interface of Tamis: C++, Python, C, the command, MPI.
 """
 from __future__ import annotations
 
 import ast
-import pathlib
 import re
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+from door_options import ROOT, options, text
+
 PAGE = "docs/questions.md"
-LISTS = "NO_QUESTIONS of scripts/check_questions.py"
+HINT = " (what is no question stands in NO_QUESTIONS of scripts/check_questions.py)"
 DETECTOR = "include/tamis/detector.hpp"
 # Sources of tests that must ask every question of a detector.
 ASK_ALL = ("tests/support/every_question.cpp", "tests/support/as_new.hpp")
@@ -25,10 +25,6 @@ NO_QUESTIONS = {
 NO_QUESTIONS_IN_C = re.compile(
     r"_(create|(?<!_is_)free|message|statistics|copy_\w+|(?<!world_)points_at|add|move|remove|set_\w+)$|^tamis_(mesh_|version|turned|between|nlerp_|pose_(of_|at)|weights_of)"
 )
-
-
-def text(place: str) -> str:
-    return (ROOT / place).read_text()
 
 
 def methods(header: str, owner: str) -> set[str]:
@@ -119,12 +115,13 @@ def tables() -> dict[str, list[list[str]]]:
 def faults() -> list[str]:
     found = []
     pages = tables()
-    for title, columns in doors().items():
+    for title, columns in (doors() | options()).items():
         head, *rows = pages[title]
+        hint = "" if title.startswith("Options") else HINT
         for number, offered in enumerate(columns, start=1):
             named = set(re.findall(r"`([\w-]+)`", " ".join(row[number] for row in rows)))
             offered = offered - NO_QUESTIONS
-            found += [f"{title}, {head[number]}: no row names {name}; if it is no question, say so in {LISTS}" for name in sorted(offered - named)]
+            found += [f"{title}, {head[number]}: no row names {name}{hint}" for name in sorted(offered - named)]
             found += [f"{title}, {head[number]}: there is no {name}" for name in sorted(named - offered)]
         for row in rows:
             if "-" in row and not any(row[len(columns) + 1 :]):

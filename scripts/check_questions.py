@@ -9,7 +9,7 @@ import ast
 import re
 import sys
 
-from door_options import ROOT, options, text
+from door_options import ROOT, options, text, unnamed
 
 PAGE = "docs/questions.md"
 HINT = " (what is no question stands in NO_QUESTIONS of scripts/check_questions.py)"
@@ -139,7 +139,7 @@ def unasked() -> list[str]:
 
 
 def main() -> int:
-    found = [f"{PAGE}: {fault}" for fault in faults()] + unasked()
+    found = [f"{PAGE}: {fault}" for fault in faults()] + unasked() + unnamed()
     for fault in found:
         print(fault)
     return 1 if found else 0

@@ -61,3 +61,18 @@ def options() -> dict[str, list[set[str]]]:
             command_options("AtStartArgument"),
         ],
     }
+
+
+def unnamed() -> list[str]:
+    """Return where a page or a docstring of Python lacks a keyword of what it describes."""
+    found = []
+    for owner, source in (("Detector", "_detector/_detector.py"), ("World", "_world/_world.py")):
+        place = f"python/tamis/{source}"
+        row = re.search(rf"^\| `{owner}\((.*?)\)`", text("docs/python.md"), re.MULTILINE)[1]
+        nodes = {node.name: node for node in ast.parse(text(place)).body if isinstance(node, ast.ClassDef)}
+        parameters = re.findall(r"^([\w, ]+) : ", ast.get_docstring(nodes[owner]), re.MULTILINE)
+        pages = {f"docs/python.md, {owner}": row, f"{place}, docstring": ",".join(parameters)}
+        for page, named in pages.items():
+            missing = keywords(owner, "__init__", place) - set(re.findall(r"\w+", named))
+            found += [f"{page}: nothing names {name}" for name in sorted(missing)]
+    return found

@@ -51,6 +51,7 @@ def options() -> dict[str, list[set[str]]]:
             keywords("World", "__init__", f"{worlds}/_world.py"),
             members("include/tamis/c/world.h", "tamis_world_options"),
             command_options("DetectorArguments"),
+            keywords("Detector", "__init__", "python/tamis/distributed.py") - {"edges", "points"},
         ],
         "Options of a question": [
             members(header, "QueryOptions"),

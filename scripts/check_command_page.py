@@ -47,7 +47,7 @@ def named(title: str, name: str) -> dict[str, set[str]]:
 def answer_of(command: str, verb: discovery.Verb) -> dict[str, object]:
     with tempfile.TemporaryDirectory() as folder:
         inputs.write_inputs(pathlib.Path(folder))
-        words = [command, *(inputs.baseline(verb) or [verb.name]), "--json"]
+        words = [str(pathlib.Path(command).resolve()), *(inputs.baseline(verb) or [verb.name]), "--json"]
         answer = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
     if answer.returncode == 2:
         sys.exit(f"{answer.stderr}{PAGE}: say in tests/hostile/inputs.py how '{verb.name}' is asked")
@@ -68,7 +68,8 @@ def faults(command: str, verb: discovery.Verb) -> list[str]:
 
 
 def main() -> int:
-    found = [fault for command in sys.argv[1:] for verb in discovery.verbs_of(command) for fault in faults(command, verb)]
+    asked = [(command, verb) for command in sys.argv[1:] for verb in discovery.verbs_of(command)]
+    found = [fault for command, verb in asked for fault in faults(command, verb)]
     for fault in found:
         print(f"{PAGE}: {fault}")
     return 1 if found else 0

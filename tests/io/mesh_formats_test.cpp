@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <string>
+
 #include "io/messages.hpp"
 #include "support/temporary_folder.hpp"
 

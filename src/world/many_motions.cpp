@@ -48,26 +48,27 @@ void World::State::validate(std::span<const BodyId> moved, std::span<const BodyM
     of_motion(i / moved.size(), [&] { body(moved[i % moved.size()]).validate(motions[i]); });
 }
 
-std::vector<EarliestBodyContact> World::State::earliest_many(std::span<const BodyId> moved,
-                                                             std::span<const BodyMotion> motions,
-                                                             const QueryOptions& asked) {
+std::vector<EarliestBodyContact> World::earliest_many(std::span<const BodyId> moved,
+                                                      std::span<const BodyMotion> motions, const QueryOptions& asked) {
+  State& now = state();
+  const State::Turn turn(now);
   validate_of_path(asked);
-  validate(moved, motions);
+  now.validate(moved, motions);
   const QueryOptions of_each = of_curves(asked);
   std::vector<EarliestBodyContact> found(motions.empty() ? 0 : motions.size() / moved.size());
-  tbb::enumerable_thread_specific<std::unique_ptr<State>> worlds([&] { return std::make_unique<State>(*this); });
-  Arena(options.threads).run([&] {
+  tbb::enumerable_thread_specific<std::unique_ptr<State>> worlds([&] { return std::make_unique<State>(now); });
+  Arena(now.options.threads).run([&] {
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
       State& mine = *worlds.local();
       for (std::size_t k = 0; k < moved.size(); ++k) mine.move(moved[k], motions[i * moved.size() + k]);
       found[i] = mine.earliest(of_each);
     });
-    statistics.threads = Arena::threads_here();
+    now.statistics.threads = Arena::threads_here();
   });
-  for (const auto& world : worlds) add_statistics(world->statistics);
+  for (const auto& world : worlds) now.add_statistics(world->statistics);
   for (std::size_t i = 0; i < found.size(); ++i)
     of_motion(i, [&] {
-      if (found[i].contact) check_start(*found[i].contact, found[i].toi_lower, asked);
+      if (found[i].contact) State::check_start(*found[i].contact, found[i].toi_lower, asked);
     });
   return found;
 }

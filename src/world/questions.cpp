@@ -77,20 +77,23 @@ void World::State::for_each_at_rest(double distance, const Ask& ask) {
   });
 }
 
-std::vector<BodyContact> World::State::contacts(const QueryOptions& asked) {
+std::vector<BodyContact> World::contacts(const QueryOptions& asked) {
+  const State::Turn now(state());
   std::vector<BodyContact> all;
-  for_each_moving(asked, 0, [&](const auto& state, const auto& motion, const QueryOptions& how, const auto& whose) {
+  now->for_each_moving(asked, 0, [&](auto& state, auto& motion, auto& how, auto& whose) {
     add_named(all, state->find_contacts(motion, how), whose);
     return true;
   });
   put_in_order(all);
-  for (const BodyContact& c : all) check_start(c, c.toi_lower, asked);
+  for (const BodyContact& c : all) State::check_start(c, c.toi_lower, asked);
   return all;
 }
 
+EarliestBodyContact World::earliest(const QueryOptions& asked) { return State::Turn(state())->earliest(asked); }
+
 EarliestBodyContact World::State::earliest(const QueryOptions& asked) {
   EarliestBodyContact first;
-  for_each_moving(asked, 0, [&](const auto& state, const auto& motion, const QueryOptions& how, const auto& whose) {
+  for_each_moving(asked, 0, [&](auto& state, auto& motion, auto& how, auto& whose) {
     const EarliestContact found = state->earliest(motion, how);
     first.toi_upper = std::min(first.toi_upper, found.toi_upper);
     keep_earlier(first.contact, first.toi_lower, found.contact, found.toi_lower, whose);
@@ -100,35 +103,36 @@ EarliestBodyContact World::State::earliest(const QueryOptions& asked) {
   return first;
 }
 
-bool World::State::is_free(const QueryOptions& asked) {
+bool World::is_free(const QueryOptions& asked) {
   if (asked.at_start == AtStart::fail) return !earliest(asked).contact;
+  const State::Turn now(state());
   bool is_free = true;
-  for_each_moving(asked, 0, [&](const auto& state, const auto& motion, const QueryOptions& how, const auto&) {
-    return is_free = state->is_free(motion, how);
-  });
+  now->for_each_moving(
+      asked, 0, [&](auto& state, auto& motion, auto& how, auto&) { return is_free = state->is_free(motion, how); });
   return is_free;
 }
 
 /// A pair of clearance c that keeps no more than f c has lost (1 - f) c, at most the displacements w of both bodies:
 /// then it has come within f w / (1 - f) of its separation.
-BodyStep World::State::safe_step(double fraction, const QueryOptions& asked) {
+BodyStep World::safe_step(double fraction, const QueryOptions& asked) {
+  const State::Turn now(state());
   validate_kept(fraction);
   BodyStep first;
-  for_each_moving(asked, fraction / (1 - fraction),
-                  [&](const auto& state, const auto& motion, const QueryOptions& how, const auto& whose) {
-                    const SafeStep step = state->safe_step(motion, fraction, how);
-                    first.upper = std::min(first.upper, step.upper);
-                    keep_earlier(first.pair, first.lower, step.pair, step.lower, whose);
-                    return true;
-                  });
-  if (first.pair) check_start(*first.pair, first.lower, asked);
+  now->for_each_moving(asked, fraction / (1 - fraction), [&](auto& state, auto& motion, auto& how, auto& whose) {
+    const SafeStep step = state->safe_step(motion, fraction, how);
+    first.upper = std::min(first.upper, step.upper);
+    keep_earlier(first.pair, first.lower, step.pair, step.lower, whose);
+    return true;
+  });
+  if (first.pair) State::check_start(*first.pair, first.lower, asked);
   return first;
 }
 
-std::vector<BodyNearPair> World::State::pairs_within(double distance) {
+std::vector<BodyNearPair> World::pairs_within(double distance) {
+  const State::Turn now(state());
   validate_distance(distance, "the distance");
   std::vector<BodyNearPair> all;
-  for_each_at_rest(distance, [&](const auto& state, const Positions& pose, const auto& whose) {
+  now->for_each_at_rest(distance, [&](auto& state, auto& pose, auto& whose) {
     add_named(all, state->find_near(pose, distance), whose);
     return true;
   });
@@ -136,9 +140,10 @@ std::vector<BodyNearPair> World::State::pairs_within(double distance) {
   return all;
 }
 
-std::vector<BodyIntersection> World::State::intersections() {
+std::vector<BodyIntersection> World::intersections() {
+  const State::Turn now(state());
   std::vector<BodyIntersection> all;
-  for_each_at_rest(0, [&](const auto& state, const Positions& pose, const auto& whose) {
+  now->for_each_at_rest(0, [&](auto& state, auto& pose, auto& whose) {
     add_named(all, state->find_intersections(pose, Question::all_contacts), whose);
     return true;
   });
@@ -146,9 +151,10 @@ std::vector<BodyIntersection> World::State::intersections() {
   return all;
 }
 
-bool World::State::has_intersection() {
+bool World::has_intersection() {
+  const State::Turn now(state());
   bool has_one = false;
-  for_each_at_rest(0, [&](const auto& state, const Positions& pose, const auto&) {
+  now->for_each_at_rest(0, [&](auto& state, auto& pose, auto&) {
     has_one = !state->find_intersections(pose, Question::is_free).empty();
     return !has_one;
   });

@@ -109,32 +109,6 @@ void World::set_may_touch(BodyId a, BodyId b, bool may_touch) {
   if (is_changed) now.forget_gathered(first);
 }
 
-std::vector<BodyContact> World::contacts(const QueryOptions& options) {
-  return state().answer(&State::contacts, options);
-}
-
-EarliestBodyContact World::earliest(const QueryOptions& options) { return state().answer(&State::earliest, options); }
-
-std::vector<EarliestBodyContact> World::earliest_many(std::span<const BodyId> bodies,
-                                                      std::span<const BodyMotion> motions,
-                                                      const QueryOptions& options) {
-  return state().answer(&State::earliest_many, bodies, motions, options);
-}
-
-bool World::is_free(const QueryOptions& options) { return state().answer(&State::is_free, options); }
-
-std::vector<BodyNearPair> World::pairs_within(double distance) {
-  return state().answer(&State::pairs_within, distance);
-}
-
-std::vector<BodyIntersection> World::intersections() { return state().answer(&State::intersections); }
-
-bool World::has_intersection() { return state().answer(&State::has_intersection); }
-
-BodyStep World::safe_step(double fraction, const QueryOptions& options) {
-  return state().answer(&State::safe_step, fraction, options);
-}
-
 const Statistics& World::statistics() const {
   const State& now = state();
   if (now.is_asked.test(std::memory_order_acquire)) throw Busy();

@@ -1,7 +1,6 @@
 // The state that a world keeps from question to question, and the functions that answer questions: they find near
 // bodies, gather the items of these that may touch (world/gathering.hpp), and ask detectors.
 #pragma once
-#include <functional>
 #include <optional>
 #include <set>
 #include <vector>
@@ -32,28 +31,9 @@ struct World::State {
   Statistics statistics;
   std::atomic_flag is_asked;
 
-  /// Calls `ask`, a member function, with these arguments as one question: takes the turn and keeps the statistics.
-  template <class Ask, class... Of>
-  auto answer(const Ask& ask, const Of&... of) {
-    const BusyGuard guard(is_asked);
-    statistics = {};
-    const Stopwatch watch;
-    auto result = std::invoke(ask, *this, of...);
-    statistics.seconds.total = watch.seconds();
-    statistics.memory_bytes = memory_bytes();
-    return result;
-  }
-  std::vector<BodyContact> contacts(const QueryOptions& asked);
+  class Turn;
   EarliestBodyContact earliest(const QueryOptions& asked);
-  std::vector<EarliestBodyContact> earliest_many(std::span<const BodyId> moved, std::span<const BodyMotion> motions,
-                                                 const QueryOptions& asked);
-  bool is_free(const QueryOptions& asked);
-  std::vector<BodyNearPair> pairs_within(double distance);
-  std::vector<BodyIntersection> intersections();
-  bool has_intersection();
-  BodyStep safe_step(double fraction, const QueryOptions& asked);
 
- private:
   /// Throws InvalidOptions and InvalidStep.
   void validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions);
   /// Pairs of bodies that may touch and whose hulls come within `distance` plus `margin`.
@@ -111,5 +91,23 @@ inline QueryOptions of_curves(QueryOptions asked) {
   if (asked.at_start == AtStart::fail) asked.at_start = AtStart::report;
   return asked;
 }
+
+/// The state, for as long as one question has its turn; measures the question.
+class World::State::Turn {
+ public:
+  /// Throws Busy.
+  explicit Turn(State& state) : state_(state), guard_(state.is_asked) { state_.statistics = {}; }
+  ~Turn() {
+    state_.statistics.seconds.total = watch_.seconds();
+    state_.statistics.memory_bytes = state_.memory_bytes();
+  }
+  Turn(const Turn&) = delete;
+  State* operator->() const { return &state_; }
+
+ private:
+  State& state_;
+  const BusyGuard guard_;
+  const Stopwatch watch_;
+};
 
 }  // namespace tamis

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/assert.hpp"
 #include "numerics/axes.hpp"
 #include "numerics/error_bounds.hpp"
 #include "topology/at.hpp"
@@ -36,24 +35,20 @@ double farthest_between(const RoundedTransform& a, const RoundedTransform& b, co
 
 }  // namespace
 
-StraightMotion::StraightMotion(const Body& body)
-    : motion_kind_(body.motion_kind()), start_(body.at_start_), end_(body.at_end_) {
-  TAMIS_ASSERT(motion_kind_ != MotionKind::turning);
-  if (body.deforming()) soft_ = *body.deforming();
-}
-
-double StraightMotion::max_deviation(const Body& body) const {
-  const Deforming* soft = body.deforming();
-  if (body.motion_kind() != motion_kind_ || soft_.has_value() != (soft != nullptr))
+double Body::max_deviation_from(const BodyMotion& other) const {
+  if (motion_kind_ == MotionKind::turning || motion_.index() != other.index())
     return std::numeric_limits<double>::infinity();
+  const auto* soft = std::get_if<Deforming>(&other);
   if (!soft) {
-    const Box& box = body.shape().boxes.back();
-    return std::max(farthest_between(start_, body.at_start_, box), farthest_between(end_, body.at_end_, box));
+    const Box& box = shape_->boxes.back();
+    const Chain chain = chain_of(other);
+    return std::max(farthest_between(transform_at(chain, 0), at_start_, box),
+                    farthest_between(transform_at(chain, 1), at_end_, box));
   }
   double farthest = 0;
-  for (const Index v : body.shape().mesh.points())
-    farthest = std::max({farthest, distance_above(soft_->start[at(v)], soft->start[at(v)]),
-                         distance_above(soft_->end[at(v)], soft->end[at(v)])});
+  for (const Index v : shape_->mesh.points())
+    farthest = std::max({farthest, distance_above(soft->start[at(v)], deforming()->start[at(v)]),
+                         distance_above(soft->end[at(v)], deforming()->end[at(v)])});
   return farthest;
 }
 
@@ -134,10 +129,8 @@ BodyPoints Body::points_at(double time) const {
 }
 
 std::uint64_t Body::memory_bytes() const {
-  std::uint64_t bytes = sizeof(*this) + held_bytes(start_boxes_, end_boxes_);
-  if (const Deforming* soft = deforming()) bytes += held_bytes(soft->start, soft->end);
-  if (self_detector_) bytes += self_detector_->statistics().memory_bytes;
-  return bytes;
+  const std::uint64_t bytes = sizeof(*this) + held_bytes(start_boxes_, end_boxes_) + bytes_held_by(motion_);
+  return self_detector_ ? bytes + self_detector_->statistics().memory_bytes : bytes;
 }
 
 }  // namespace tamis

@@ -20,23 +20,11 @@ enum class MotionKind : std::uint8_t { still, straight, turning };
 /// The chain of a body that does not deform (a static one's leads from its pose to itself); empty if it deforms.
 Chain chain_of(const BodyMotion& motion);
 
-class Body;
-
-/// A record of the motion of a body that did not turn, to measure later how far another motion deviates from it.
-class StraightMotion {
- public:
-  /// REQUIRES: it does not turn.
-  explicit StraightMotion(const Body& body);
-  /// An upper bound, at all times of the step, of the distance of any vertex from its position in the recorded motion.
-  /// Infinite if the body's kind of motion has changed.
-  double max_deviation(const Body& body) const;
-  std::uint64_t memory_bytes() const { return sizeof(*this) + (soft_ ? held_bytes(soft_->start, soft_->end) : 0); }
-
- private:
-  MotionKind motion_kind_;
-  RoundedTransform start_, end_;  ///< of a rigid body
-  std::optional<Deforming> soft_;
-};
+/// What a motion holds besides itself, if it deforms.
+inline std::uint64_t bytes_held_by(const BodyMotion& motion) {
+  const auto* soft = std::get_if<Deforming>(&motion);
+  return soft ? held_bytes(soft->start, soft->end) : 0;
+}
 
 class Body {
  public:
@@ -74,6 +62,9 @@ class Body {
   const Box& hull() const { return hull_; }
   /// Bounds for all its vertices.
   const Curvature& curvature() const { return curvature_; }
+  /// An upper bound, at all times of the step, of the distance of any vertex from where it would be by `other`, a
+  /// motion of this body that does not turn. Infinite for a motion of another kind.
+  double max_deviation_from(const BodyMotion& other) const;
   double radius() const { return radius_; }
   void set_radius(double radius);
   /// The detector of a deforming body's contacts with itself. `options`: those of the world.
@@ -85,7 +76,6 @@ class Body {
 
  private:
   friend class BodyOnPiece;
-  friend class StraightMotion;
 
   /// Throws InvalidStep if doubles cannot hold a vertex' position. REQUIRES: a body that does not deform, finite poses.
   void validate_far(const Chain& chain) const;

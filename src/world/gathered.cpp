@@ -11,12 +11,12 @@ namespace {
 const Body& member(const BodyList& bodies, BodyId id) { return *bodies[at(id)]; }
 
 /// A greedy coloring of the bodies: bodies that may meet have different colors; passive bodies have 0.
-std::map<BodyId, Index> colors_of(const NearItems& items, const BodyList& bodies, const MeetingRules& rules) {
+std::map<BodyId, Index> colors_of(const NearItems& items, const BodyList& bodies, MotionKind least) {
   std::map<BodyId, std::vector<BodyId>> met_before;  // for each body those with smaller numbers
   for (const BodyPair& pair : items.pairs) met_before[pair[1]].push_back(pair[0]);
   std::map<BodyId, Index> colors;
   for (const auto& [id, unused] : items.of_body) {
-    if (rules.is_passive(member(bodies, id))) {
+    if (member(bodies, id).motion_kind() < least) {
       colors[id] = 0;
       continue;
     }
@@ -31,54 +31,59 @@ std::map<BodyId, Index> colors_of(const NearItems& items, const BodyList& bodies
 
 }  // namespace
 
-Gathered::Gathered(const BodyList& bodies, NearItems items, const MeetingRules& rules, const Options& options)
-    : items_(std::move(items)), detector_(make_detector(bodies, rules, options)) {}
+Gathered::Gathered(const BodyList& bodies, NearItems items, MotionKind least, const std::set<BodyPair>& excluded_pairs,
+                   const Options& options)
+    : items_(std::move(items)), detector_(make_detector(bodies, least, excluded_pairs, options)) {}
 
-Detector Gathered::make_detector(const BodyList& bodies, const MeetingRules& rules, const Options& options) {
-  for (const auto& [id, set] : items_.of_body) add(id, member(bodies, id), set);
-  Options of_mesh = options;
-  of_mesh.filter = PairFilter();
-  set_groups(bodies, rules, of_mesh);
-  Mesh mesh(static_cast<Index>(vertices_.size()), std::move(faces_), edges_, std::move(points_));
-  edges_ = {};
-  Detector detector(std::move(mesh), std::move(of_mesh));
+Detector Gathered::make_detector(const BodyList& bodies, MotionKind least, const std::set<BodyPair>& excluded_pairs,
+                                 Options options) {
+  Mesh mesh = make_mesh(bodies);
+  options.filter = make_filter(bodies, least, excluded_pairs);
+  Detector detector(std::move(mesh), std::move(options));
   std::vector<double> radii;
   for (const Vertex& vertex : vertices_) radii.push_back(member(bodies, vertex.body).radius());
   DetectorAccess::lock(detector)->serve_world(std::move(radii));
   return detector;
 }
 
-void Gathered::add(BodyId id, const Body& body, const IndexSet& items) {
-  const BodyShape& shape = body.shape();
-  IndexSet used(shape.mesh.vertex_count());
-  items.for_each([&](Index item) {
-    for (const Index own : shape.corners_of(item)) used.add(own);
-  });
-  const auto here = std::make_unique_for_overwrite<Index[]>(at(shape.mesh.vertex_count()));  // not filled: few are used
-  used.for_each([&](Index own) {
-    here[at(own)] = static_cast<Index>(vertices_.size());
-    vertices_.push_back({id, own});
-  });
-  items.for_each([&](Index item) {
-    const Face corners = shape.corners_of(item);
-    const Face face{here[at(corners[0])], here[at(corners[1])], here[at(corners[2])]};
-    if (at(item) < shape.mesh.faces().size())
-      faces_.push_back(face);
-    else if (at(item) < shape.mesh.faces().size() + shape.loose.edges.size())
-      edges_.push_back({face[0], face[1]});
-    else
-      points_.push_back(face[0]);
-  });
-  motion_kinds_.push_back(body.motion_kind());
+Mesh Gathered::make_mesh(const BodyList& bodies) {
+  std::vector<Face> faces;
+  std::vector<Edge> edges;
+  std::vector<Index> points;
+  for (const auto& [id, items] : items_.of_body) {
+    const BodyShape& shape = member(bodies, id).shape();
+    IndexSet used(shape.mesh.vertex_count());
+    items.for_each([&](Index item) {
+      for (const Index own : shape.corners_of(item)) used.add(own);
+    });
+    const auto here = std::make_unique_for_overwrite<Index[]>(at(shape.mesh.vertex_count()));  // few are used
+    used.for_each([&, id = id](Index own) {
+      here[at(own)] = static_cast<Index>(vertices_.size());
+      vertices_.push_back({id, own});
+    });
+    items.for_each([&](Index item) {
+      const Face corners = shape.corners_of(item);
+      const Face face{here[at(corners[0])], here[at(corners[1])], here[at(corners[2])]};
+      if (at(item) < shape.mesh.faces().size())
+        faces.push_back(face);
+      else if (at(item) < shape.mesh.faces().size() + shape.loose.edges.size())
+        edges.push_back({face[0], face[1]});
+      else
+        points.push_back(face[0]);
+    });
+    motion_kinds_.push_back(member(bodies, id).motion_kind());
+  }
+  return {static_cast<Index>(vertices_.size()), std::move(faces), edges, std::move(points)};
 }
 
 /// A group of the detector holds the bodies of one color. Its pairs need not be asked about: the bodies are not near
 /// each other, or are passive. So there are few groups, however many bodies and radii.
-void Gathered::set_groups(const BodyList& bodies, const MeetingRules& rules, Options& options) const {
-  const std::map<BodyId, Index> colors = colors_of(items_, bodies, rules);
+PairFilter Gathered::make_filter(const BodyList& bodies, MotionKind least,
+                                 const std::set<BodyPair>& excluded_pairs) const {
+  const std::map<BodyId, Index> colors = colors_of(items_, bodies, least);
   std::size_t count = 1;
   for (const auto& [id, color] : colors) count = std::max(count, at(color) + 1);
-  PairFilter& filter = options.filter;
+  PairFilter filter;
   filter.group_count = static_cast<Index>(count);
   filter.group_of_vertex.reserve(vertices_.size());
   for (const Vertex& vertex : vertices_) filter.group_of_vertex.push_back(colors.at(vertex.body));
@@ -87,13 +92,14 @@ void Gathered::set_groups(const BodyList& bodies, const MeetingRules& rules, Opt
   // Both bodies of an excluded pair may be here because each is near a third.
   const auto is_here = [&](BodyId id) { return items_.of_body.contains(id); };
   std::set<BodyPair> excluded;
-  for (const BodyPair& pair : rules.excluded_pairs)
+  for (const BodyPair& pair : excluded_pairs)
     if (is_here(pair[0]) && is_here(pair[1])) excluded.insert(pair);
-  if (excluded.empty()) return;
+  if (excluded.empty()) return filter;
   filter.accepts = [this, excluded](PairKind kind, const PairVertices& v) {
     const BodyId a = body_of(v[0]), b = body_of(v[second_feature(kind)]);
     return !excluded.contains({std::min(a, b), std::max(a, b)});
   };
+  return filter;
 }
 
 bool Gathered::keeps_motion_kinds(const BodyList& bodies) const {

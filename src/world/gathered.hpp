@@ -11,20 +11,13 @@
 
 namespace tamis {
 
-/// Which pairs of bodies may meet in one gathered mesh.
-struct MeetingRules {
-  /// Bodies with a lesser kind of motion are passive: they do not meet each other. These are the bodies that stay, or
-  /// in a question about curves those that do not turn.
-  MotionKind least;
-  const std::set<BodyPair>& excluded_pairs;
-
-  bool is_passive(const Body& body) const { return body.motion_kind() < least; }
-};
-
 class Gathered {
  public:
-  /// `options`: those of the detector, without groups. REQUIRES: `items` is not empty.
-  Gathered(const BodyList& bodies, NearItems items, const MeetingRules& rules, const Options& options);
+  /// Bodies with a lesser kind of motion than `least` are passive: they do not meet each other. These are the bodies
+  /// that stay, or in a question about curves those that do not turn. `options`: those of the detector, without groups.
+  /// REQUIRES: `items` is not empty.
+  Gathered(const BodyList& bodies, NearItems items, MotionKind least, const std::set<BodyPair>& excluded_pairs,
+           const Options& options);
   Gathered(const Gathered&) = delete;
 
   /// Does each body have the same kind of motion as when this was made?
@@ -56,16 +49,14 @@ class Gathered {
 
   BodyId body_of(Index vertex) const { return vertices_[static_cast<std::size_t>(vertex)].body; }
   void to_own(std::span<Index> vertices) const;
-  void add(BodyId id, const Body& body, const IndexSet& items);
-  Detector make_detector(const BodyList& bodies, const MeetingRules& rules, const Options& options);
-  void set_groups(const BodyList& bodies, const MeetingRules& rules, Options& options) const;
+  Mesh make_mesh(const BodyList& bodies);
+  PairFilter make_filter(const BodyList& bodies, MotionKind least, const std::set<BodyPair>& excluded_pairs) const;
+  Detector make_detector(const BodyList& bodies, MotionKind least, const std::set<BodyPair>& excluded_pairs,
+                         Options options);
 
   const NearItems items_;
   std::vector<MotionKind> motion_kinds_;  ///< of its bodies, by ascending number
   std::vector<Vertex> vertices_;          ///< by body, then own vertex, as contacts are ordered
-  std::vector<Face> faces_;
-  std::vector<Edge> edges_;
-  std::vector<Index> points_;
   std::vector<Point> start_, end_;
   Detector detector_;
 };

@@ -25,7 +25,40 @@ constexpr double kMostMarginInEdges = 64;
 constexpr std::size_t kShrunk = 4;
 constexpr int kSearchesPerCount = 16;
 
+/// Those of the bodies in these pairs; none if one of them turns.
+std::map<BodyId, BodyMotion> straight_motions(const BodyList& bodies, const std::vector<BodyPair>& pairs) {
+  std::map<BodyId, BodyMotion> motions;
+  for (const BodyPair& pair : pairs)
+    for (const BodyId id : pair) {
+      const Body& body = *bodies[at(id)];
+      if (body.motion_kind() == MotionKind::turning) return {};
+      motions.try_emplace(id, body.motion());
+    }
+  return motions;
+}
+
 }  // namespace
+
+bool Gathering::serves(const BodyList& bodies, const std::vector<BodyPair>& near, const NearDistance& distance) const {
+  if (!gathered || distance.displacement_factor > 0 || distance.separation > separation) return false;
+  if (!gathered->keeps_motion_kinds(bodies)) return false;
+  std::map<BodyId, double> deviations;
+  const auto deviation_of = [&](BodyId id) {
+    const auto [place, is_new] = deviations.try_emplace(id, std::numeric_limits<double>::infinity());
+    const auto motion = motions.find(id);
+    if (is_new && motion != motions.end()) place->second = bodies[at(id)]->max_deviation_from(motion->second);
+    return place->second;
+  };
+  return std::ranges::all_of(near, [&](const BodyPair& pair) {
+    return (deviation_of(pair[0]) + deviation_of(pair[1])) * kRoundedUp <= margin;
+  });
+}
+
+std::uint64_t Gathering::memory_bytes() const {
+  std::uint64_t bytes = held_bytes(gathered);
+  for (const auto& [id, motion] : motions) bytes += sizeof(motion) + bytes_held_by(motion);
+  return bytes;
+}
 
 double NearDistance::share_of(const Body& body) const {
   const bool counts = displacement_factor > 0 && body.motion_kind() != MotionKind::still;
@@ -88,54 +121,31 @@ void World::State::gather_anew(Gathering& gathering, const NearDistance& distanc
   for (const auto& [id, unused] : needed.of_body)
     if (const double own = bodies[at(id)]->shape().edge; edge == 0 || (0 < own && own < edge)) edge = own;
   double in_edges = gathering.margin_in_edges;
-  if (gathering.margin && gathering.served < kQueriesWorthGathering)
+  if (!gathering.motions.empty() && gathering.served < kQueriesWorthGathering)
     in_edges = std::min(2 * in_edges, kMostMarginInEdges);
   NearItems items;
-  std::optional<GatherMargin> margin;
+  std::vector<BodyPair> pairs;
+  double margin = 0;
   while (true) {
-    const double width = std::min(in_edges * edge, std::numeric_limits<double>::max());  // less than unknown deviations
+    margin = std::min(in_edges * edge, std::numeric_limits<double>::max());  // less than unknown deviations
     const auto during = times.back() == 0 ? During::start : During::step;
-    const std::vector<BodyPair> farther = wanted_pairs(gathering, near_bodies(distance, width, during));
+    pairs = wanted_pairs(gathering, near_bodies(distance, margin, during));
     items = needed;
-    find_near(farther, distance, width, times, items);
-    margin = margin_of(farther, distance, width);
+    find_near(pairs, distance, margin, times, items);
     if (in_edges <= kLeastMarginInEdges || items.count() <= kMostItemsPerNeeded * needed.count()) break;
     in_edges = std::max(in_edges / 2, kLeastMarginInEdges);
   }
-  const MeetingRules rules{gathering.least, excluded_pairs};
-  gathering.gathered = std::make_unique<Gathered>(bodies, std::move(items), rules, options);
+  std::map<BodyId, BodyMotion> motions;
+  if (distance.displacement_factor == 0) motions = straight_motions(bodies, pairs);
+  gathering.gathered = std::make_unique<Gathered>(bodies, std::move(items), gathering.least, excluded_pairs, options);
   // Nothing throws from here on; an exception before leaves the gathering as it was.
-  gathering.margin = std::move(margin);
+  gathering.motions = std::move(motions);
+  gathering.separation = distance.separation;
+  gathering.margin = margin;
   gathering.margin_in_edges = in_edges;
   gathering.needed_when_gathered = needed.count();
   gathering.served = 0;
   gathering.searched = 0;
-}
-
-std::optional<GatherMargin> World::State::margin_of(const std::vector<BodyPair>& pairs, const NearDistance& distance,
-                                                    double width) const {
-  if (distance.displacement_factor > 0) return std::nullopt;
-  GatherMargin margin{distance.separation, width, {}};
-  for (const BodyPair& pair : pairs)
-    for (const BodyId id : pair) {
-      const Body& body = *bodies[at(id)];
-      if (body.motion_kind() == MotionKind::turning) return std::nullopt;
-      margin.motions.try_emplace(id, body);
-    }
-  return margin;
-}
-
-bool GatherMargin::covers(const BodyList& bodies, const std::vector<BodyPair>& pairs) const {
-  std::map<BodyId, double> deviations;
-  const auto deviation_of = [&](BodyId id) {
-    const auto [place, is_new] = deviations.try_emplace(id, std::numeric_limits<double>::infinity());
-    const auto motion = motions.find(id);
-    if (is_new && motion != motions.end()) place->second = motion->second.max_deviation(*bodies[at(id)]);
-    return place->second;
-  };
-  return std::ranges::all_of(pairs, [&](const BodyPair& pair) {
-    return (deviation_of(pair[0]) + deviation_of(pair[1])) * kRoundedUp <= width;
-  });
 }
 
 std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& pairs) const {

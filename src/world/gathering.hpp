@@ -3,7 +3,6 @@
 #pragma once
 #include <map>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "numerics/error_bounds.hpp"
@@ -23,36 +22,29 @@ struct NearDistance {
   double between(const Body& a, const Body& b) const { return (separation + share_of(a) + share_of(b)) * kRoundedUp; }
 };
 
-/// The gathered mesh holds all items that come within the near distance plus `width`. So it covers later questions
-/// while both bodies of each pair together deviate by at most `width` from their motions when it was gathered.
-struct GatherMargin {
-  double separation, width;
-  std::map<BodyId, StraightMotion> motions;
-
-  bool covers(const BodyList& bodies, const std::vector<BodyPair>& pairs) const;
-  std::uint64_t memory_bytes() const { return held_bytes(motions); }
-};
-
 /// One gathered mesh, of pairs of bodies whose vertices all go straight, of pairs of which one body turns, or of all
 /// pairs in a pose.
 struct Gathering {
   MotionKind least, most;  ///< of the body that moves more in a pair asked about
   /// Items within this many mean edges of the finest body beyond the needed distance are gathered, too, to serve later
-  /// questions; more where a GatherMargin answers those without a search.
+  /// questions; more where these need no search.
   double margin_in_edges;
   std::unique_ptr<Gathered> gathered = nullptr;
-  std::size_t needed_when_gathered = 0;               ///< number of items
-  std::optional<GatherMargin> margin = std::nullopt;  ///< of bodies that do not turn
-  int served = 0, searched = 0;                       ///< questions; those that the margin did not cover
+  std::size_t needed_when_gathered = 0;  ///< number of items
+  int served = 0, searched = 0;          ///< questions; those that needed a search
+  /// The mesh holds all items that come within `separation`, both radii and `margin` by these motions of the bodies
+  /// then near each other; none if one of them turns.
+  std::map<BodyId, BodyMotion> motions = {};
+  double separation = 0, margin = 0;
 
   bool wants(const Body& a, const Body& b) const {
     const MotionKind kind = std::max(a.motion_kind(), b.motion_kind());
     return least <= kind && kind <= most;
   }
-  bool serves(const BodyList& bodies, const std::vector<BodyPair>& near, const NearDistance& distance) const {
-    return gathered && margin && distance.displacement_factor == 0 && distance.separation <= margin->separation &&
-           gathered->keeps_motion_kinds(bodies) && margin->covers(bodies, near);
-  }
+  /// Does the mesh hold all items needed now? It does while both bodies of each pair together deviate by at most
+  /// `margin` from `motions`.
+  bool serves(const BodyList& bodies, const std::vector<BodyPair>& near, const NearDistance& distance) const;
+  std::uint64_t memory_bytes() const;
 };
 
 }  // namespace tamis

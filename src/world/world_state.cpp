@@ -79,8 +79,7 @@ void World::State::add_statistics(const Statistics& of_part) {
 
 std::uint64_t World::State::memory_bytes() const {
   std::uint64_t bytes = held_bytes(bodies);
-  for (const Gathering* gathering : {&straight_, &turning_, &at_rest_})
-    if (gathering->gathered) bytes += held_bytes(gathering->gathered, gathering->margin);
+  for (const Gathering* gathering : {&straight_, &turning_, &at_rest_}) bytes += held_bytes(*gathering);
   return bytes;
 }
 

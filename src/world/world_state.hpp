@@ -48,9 +48,6 @@ struct World::State {
                  std::span<const double> times, NearItems& items) const;
   void gather_anew(Gathering& gathering, const NearDistance& distance, const NearItems& needed,
                    std::span<const double> times);
-  /// Nothing if one of the bodies turns, or if `distance` depends on displacements.
-  std::optional<GatherMargin> margin_of(const std::vector<BodyPair>& pairs, const NearDistance& distance,
-                                        double width) const;
   /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
   std::vector<double> times_of_pieces(const std::vector<BodyPair>& pairs) const;
   /// Calls ask(state of a detector, motion, options, whose) for each detector, until one call returns false: with a

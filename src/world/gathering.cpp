@@ -39,8 +39,8 @@ std::map<BodyId, BodyMotion> straight_motions(const BodyList& bodies, const std:
 
 }  // namespace
 
-bool Gathering::serves(const BodyList& bodies, const std::vector<BodyPair>& near, const NearDistance& distance) const {
-  if (!gathered || distance.displacement_factor > 0 || distance.separation > separation) return false;
+bool Gathering::serves(const BodyList& bodies, const std::vector<BodyPair>& near, const NearDistance& now) const {
+  if (!gathered || now.displacement_factor > 0 || now.separation > distance.separation) return false;
   if (!gathered->keeps_motion_kinds(bodies)) return false;
   std::map<BodyId, double> deviations;
   const auto deviation_of = [&](BodyId id) {
@@ -50,7 +50,7 @@ bool Gathering::serves(const BodyList& bodies, const std::vector<BodyPair>& near
     return place->second;
   };
   return std::ranges::all_of(near, [&](const BodyPair& pair) {
-    return (deviation_of(pair[0]) + deviation_of(pair[1])) * kRoundedUp <= margin;
+    return (deviation_of(pair[0]) + deviation_of(pair[1])) * kRoundedUp <= distance.margin;
   });
 }
 
@@ -60,16 +60,9 @@ std::uint64_t Gathering::memory_bytes() const {
   return bytes;
 }
 
-double NearDistance::share_of(const Body& body) const {
-  const bool counts = displacement_factor > 0 && body.motion_kind() != MotionKind::still;
-  return body.radius() + (counts ? displacement_factor * body.hull().extent() : 0);
-}
-
-std::vector<BodyPair> World::State::near_bodies(const NearDistance& distance, double margin, During during) {
+std::vector<BodyPair> World::State::near_bodies(const NearDistance& distance) {
   stop_if_cancelled(options);
-  const auto widening = [&](const Body& body) { return distance.share_of(body) * kRoundedUp; };
-  const double separation = (distance.separation + margin) * kRoundedUp;
-  std::vector<BodyPair> pairs = near_bodies_.find(bodies, widening, separation, during);
+  std::vector<BodyPair> pairs = near_bodies_.find(bodies, distance);
   if (!excluded_pairs.empty())
     std::erase_if(pairs, [&](const BodyPair& pair) { return excluded_pairs.contains(pair); });
   return pairs;
@@ -93,7 +86,7 @@ bool World::State::gather(Gathering& gathering, const NearDistance& distance, co
   // All needed items if `counts`; else the gathered items, which are not tested again, and new ones.
   NearItems near_now;
   if (!counts) near_now.of_body = gathering.gathered->items().of_body;
-  find_near(pairs, distance, 0, times, near_now);
+  add_near_items(bodies, pairs, distance, times, options, near_now);
   if (near_now.pairs.empty()) return false;
   const bool has_shrunk = counts && kShrunk * near_now.count() < gathering.needed_when_gathered;
   if (is_usable && !has_shrunk && gathering.gathered->items().includes(near_now)) {
@@ -102,20 +95,13 @@ bool World::State::gather(Gathering& gathering, const NearDistance& distance, co
   }
   if (!counts) {
     near_now = {};
-    find_near(pairs, distance, 0, times, near_now);
+    add_near_items(bodies, pairs, distance, times, options, near_now);
   }
   gather_anew(gathering, distance, near_now, times);
   return true;
 }
 
-void World::State::find_near(const std::vector<BodyPair>& pairs, const NearDistance& distance, double margin,
-                             std::span<const double> times, NearItems& items) const {
-  const auto within = [&](const Body& a, const Body& b) { return (distance.between(a, b) + margin) * kRoundedUp; };
-  add_near_items(
-      bodies, pairs, within, times, [this] { stop_if_cancelled(options); }, items);
-}
-
-void World::State::gather_anew(Gathering& gathering, const NearDistance& distance, const NearItems& needed,
+void World::State::gather_anew(Gathering& gathering, NearDistance distance, const NearItems& needed,
                                std::span<const double> times) {
   double edge = 0;  // of the finest body: parts of a coarse edge would gather all of a fine body
   for (const auto& [id, unused] : needed.of_body)
@@ -125,13 +111,11 @@ void World::State::gather_anew(Gathering& gathering, const NearDistance& distanc
     in_edges = std::min(2 * in_edges, kMostMarginInEdges);
   NearItems items;
   std::vector<BodyPair> pairs;
-  double margin = 0;
   while (true) {
-    margin = std::min(in_edges * edge, std::numeric_limits<double>::max());  // less than unknown deviations
-    const auto during = times.back() == 0 ? During::start : During::step;
-    pairs = wanted_pairs(gathering, near_bodies(distance, margin, during));
+    distance.margin = std::min(in_edges * edge, std::numeric_limits<double>::max());  // less than unknown deviations
+    pairs = wanted_pairs(gathering, near_bodies(distance));
     items = needed;
-    find_near(pairs, distance, margin, times, items);
+    add_near_items(bodies, pairs, distance, times, options, items);
     if (in_edges <= kLeastMarginInEdges || items.count() <= kMostItemsPerNeeded * needed.count()) break;
     in_edges = std::max(in_edges / 2, kLeastMarginInEdges);
   }
@@ -140,8 +124,7 @@ void World::State::gather_anew(Gathering& gathering, const NearDistance& distanc
   gathering.gathered = std::make_unique<Gathered>(bodies, std::move(items), gathering.least, excluded_pairs, options);
   // Nothing throws from here on; an exception before leaves the gathering as it was.
   gathering.motions = std::move(motions);
-  gathering.separation = distance.separation;
-  gathering.margin = margin;
+  gathering.distance = distance;
   gathering.margin_in_edges = in_edges;
   gathering.needed_when_gathered = needed.count();
   gathering.served = 0;

@@ -3,7 +3,13 @@
 #include "kernels/kernels.hpp"
 
 namespace tamis {
-BodyTree::BodyTree(const BodyList& bodies, bool are_still, During during, const BodyWidening& widening, Split split) {
+
+double NearDistance::share_of(const Body& body) const {
+  const bool counts = displacement_factor > 0 && body.motion_kind() != MotionKind::still;
+  return body.radius() + (counts ? displacement_factor * body.hull().extent() : 0);
+}
+
+BodyTree::BodyTree(const BodyList& bodies, bool are_still, const NearDistance& distance, Split split) {
   std::vector<Point> centers;
   centers.reserve(bodies.size());
   bodies_.reserve(bodies.size());
@@ -12,8 +18,8 @@ BodyTree::BodyTree(const BodyList& bodies, bool are_still, During during, const 
     const Body* body = bodies[id].get();
     if (!body || !body->is_enabled || (body->motion_kind() == MotionKind::still) != are_still) continue;
     bodies_.push_back(static_cast<BodyId>(id));
-    Box& hull = hulls_.emplace_back(during == During::start ? body->start_hull() : body->hull());
-    hull.widen(widening(*body));
+    Box& hull = hulls_.emplace_back(distance.is_at_start ? body->start_hull() : body->hull());
+    hull.widen(distance.share_of(*body) * kRoundedUp);
     centers.push_back(hull.middle());
   }
   tree_ = BoxTree(centers, split);
@@ -22,15 +28,14 @@ BodyTree::BodyTree(const BodyList& bodies, bool are_still, During during, const 
 
 NearBodies::NearBodies(Isa isa) : split_(kernels(isa).trees.split) {}
 
-std::vector<BodyPair> NearBodies::find(const BodyList& bodies, const BodyWidening& widening, double separation,
-                                       During during) {
-  if (!still_) still_.emplace(bodies, true, during, widening, split_);
-  const BodyTree moving(bodies, false, during, widening, split_);
+std::vector<BodyPair> NearBodies::find(const BodyList& bodies, const NearDistance& distance) {
+  if (!still_) still_.emplace(bodies, true, distance, split_);
+  const BodyTree moving(bodies, false, distance, split_);
   std::vector<BodyPair> pairs;
   for (std::size_t i = 0; i < moving.bodies().size(); ++i) {
     const BodyId body = moving.bodies()[i];
     Box box = moving.hull(i);
-    box.widen(separation);
+    box.widen((distance.separation + distance.margin) * kRoundedUp);
     moving.for_each_near(box, [&](BodyId other) {
       if (body < other) pairs.push_back({body, other});
     });

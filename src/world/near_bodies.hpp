@@ -1,11 +1,11 @@
 // Finds which bodies may come near each other during the step, by the boxes that they sweep over.
 #pragma once
 #include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "numerics/error_bounds.hpp"
 #include "world/body.hpp"
 
 namespace tamis {
@@ -13,21 +13,31 @@ namespace tamis {
 /// In ascending order.
 using BodyPair = std::array<BodyId, 2>;
 
-/// When bodies are to be near each other.
-enum class During { step, start };
-
 /// By number; null for bodies that have been removed.
 using BodyList = std::vector<std::unique_ptr<Body>>;
 
-/// How far a body's hull is widened.
-using BodyWidening = std::function<double(const Body&)>;
+/// The distance within which bodies, and items of them, are near each other: the separation, plus both radii, plus a
+/// multiple of both displacements, plus a margin.
+struct NearDistance {
+  double separation = 0;
+  double displacement_factor = 0;
+  bool is_at_start = false;  ///< of bodies as they are at t=0; else at any time of the step
+  double margin = 0;
+
+  /// What one body adds to the distance.
+  double share_of(const Body& body) const;
+  double between(const Body& a, const Body& b) const {
+    return ((separation + share_of(a) + share_of(b)) * kRoundedUp + margin) * kRoundedUp;
+  }
+};
 
 /// A tree of the bodies that are switched on and stay, or of those that are switched on and move.
 class BodyTree {
  public:
-  BodyTree(const BodyList& bodies, bool are_still, During during, const BodyWidening& widening, Split split);
+  /// Hulls are widened by each body's share of the distance.
+  BodyTree(const BodyList& bodies, bool are_still, const NearDistance& distance, Split split);
 
-  /// Calls f(body) for all bodies whose widened hulls may meet the box.
+  /// Calls f(body) for all bodies whose hulls may meet the box.
   template <class F>
   void for_each_near(const Box& box, const F& f) const {
     if (!bodies_.empty()) visit(tree_.root(), box, f);
@@ -58,12 +68,11 @@ class NearBodies {
  public:
   /// Throws InvalidOptions if this machine lacks the instruction set.
   explicit NearBodies(Isa isa);
-  /// To be called when a body that does not move has changed, or its widening.
+  /// To be called when a body that does not move has changed, or its radius.
   void forget_still() { still_.reset(); }
 
-  /// Pairs of bodies, ascending, both switched on and not both still, that may come within `separation` plus the
-  /// widenings of both.
-  std::vector<BodyPair> find(const BodyList& bodies, const BodyWidening& widening, double separation, During during);
+  /// Pairs of bodies, ascending, both switched on and not both still, that may come within the distance.
+  std::vector<BodyPair> find(const BodyList& bodies, const NearDistance& distance);
 
  private:
   Split split_;

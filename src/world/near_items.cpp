@@ -7,6 +7,7 @@
 #include <span>
 
 #include "numerics/assert.hpp"
+#include "query/cancellation.hpp"
 #include "topology/at.hpp"
 #include "world/body_bounds.hpp"
 
@@ -45,8 +46,8 @@ class PairWalk {
     WholeNodes& whole;
   };
 
-  PairWalk(const Side& a, const Side& b, double separation, const Pause& pause)
-      : a_(a), b_(b), separation_(separation), pause_(pause) {}
+  PairWalk(const Side& a, const Side& b, double separation, const Options& options)
+      : a_(a), b_(b), separation_(separation), options_(options) {}
 
   /// Returns true if any items may meet, or if `found`: some were found to before.
   bool run(bool found) {
@@ -70,7 +71,7 @@ class PairWalk {
   /// Descends into the larger node. REQUIRES: the nodes meet.
   void visit(const Node& a, const Node& b) {
     if (found_ && a_.whole.has(a.number) && b_.whole.has(b.number)) return;
-    if (++visited_ % kVisitsPerPause == 0) pause_();
+    if (++visited_ % kVisitsPerCheck == 0) stop_if_cancelled(options_);
     const bool is_a_leaf = tree_of(a_).is_leaf(a.number), is_b_leaf = tree_of(b_).is_leaf(b.number);
     if (is_a_leaf && is_b_leaf) {
       mark(a, b);
@@ -111,11 +112,11 @@ class PairWalk {
     }
   }
 
-  static constexpr int kVisitsPerPause = 1 << 12;  // well below a millisecond
+  static constexpr int kVisitsPerCheck = 1 << 12;  // well below a millisecond
 
   const Side a_, b_;
   const double separation_;
-  const Pause& pause_;
+  const Options& options_;
   bool found_ = false;
   int visited_ = 0;
 };
@@ -136,9 +137,8 @@ std::size_t NearItems::count() const {
   return count;
 }
 
-void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
-                    const std::function<double(const Body&, const Body&)>& distance, std::span<const double> times,
-                    const Pause& pause, NearItems& near) {
+void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs, const NearDistance& distance,
+                    std::span<const double> times, const Options& options, NearItems& near) {
   const auto body = [&](BodyId id) -> const Body& { return *bodies[at(id)]; };
   const auto items_of = [&](BodyId id) -> IndexSet& {
     return near.of_body.try_emplace(id, body(id).shape().item_count()).first->second;
@@ -159,8 +159,8 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
       const auto [a, b] = pairs[i];
       // Pairs of bodies before `a` are done: their memory, which is in the caches, serves the pairs that follow.
       of_moving.erase(of_moving.begin(), of_moving.lower_bound(a));
-      pause();
-      if (PairWalk(side(a), side(b), distance(body(a), body(b)), pause).run(is_near[i])) is_near[i] = true;
+      stop_if_cancelled(options);
+      if (PairWalk(side(a), side(b), distance.between(body(a), body(b)), options).run(is_near[i])) is_near[i] = true;
     }
     of_moving.clear();
   }

@@ -1,7 +1,6 @@
 // Which items of bodies may come near items of others: a traversal of two hierarchies at once, in the frame of the
 // world.
 #pragma once
-#include <functional>
 #include <map>
 #include <span>
 #include <vector>
@@ -22,11 +21,10 @@ struct NearItems {
   std::uint64_t memory_bytes() const { return held_bytes(pairs, of_body); }
 };
 
-/// Adds to `near` all items of the pairs that may come within `distance(a, b)` of each other on the pieces between
-/// successive `times`. Items that `near` holds already are not tested again once their bodies are known to come near.
-/// Calls `pause` now and then, which may throw. REQUIRES: `pairs` and `times` ascending, two times at least.
-void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
-                    const std::function<double(const Body&, const Body&)>& distance, std::span<const double> times,
-                    const Pause& pause, NearItems& near);
+/// Adds to `near` all items of the pairs that may come within the distance on the pieces between successive `times`.
+/// Items that `near` holds already are not tested again once their bodies are known to come near. Throws Cancelled.
+/// REQUIRES: `pairs` and `times` ascending, two times at least.
+void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs, const NearDistance& distance,
+                    std::span<const double> times, const Options& options, NearItems& near);
 
 }  // namespace tamis

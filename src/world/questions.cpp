@@ -41,7 +41,7 @@ void World::State::for_each_moving(const QueryOptions& asked, double displacemen
   constexpr double kEndsOfStep[] = {0, 1};
   validate_of_path(asked);
   const NearDistance distance{asked.min_separation.value_or(options.min_separation), displacement_factor};
-  const std::vector<BodyPair> near = near_bodies(distance, 0, During::step);
+  const std::vector<BodyPair> near = near_bodies(distance);
   if (gather(straight_, distance, wanted_pairs(straight_, near), kEndsOfStep)) {
     Gathered& gathered = *straight_.gathered;
     if (!ask_one(gathered.detector(), ask, gathered.step(bodies), of_steps(asked), gathered)) return;
@@ -67,8 +67,8 @@ void World::State::for_each_moving(const QueryOptions& asked, double displacemen
 template <class Ask>
 void World::State::for_each_at_rest(double distance, const Ask& ask) {
   constexpr double kEndsOfRest[] = {0, 0};
-  const NearDistance near{distance};
-  if (gather(at_rest_, near, near_bodies(near, 0, During::start), kEndsOfRest)) {
+  const NearDistance near{.separation = distance, .is_at_start = true};
+  if (gather(at_rest_, near, near_bodies(near), kEndsOfRest)) {
     Gathered& gathered = *at_rest_.gathered;
     if (!ask_one(gathered.detector(), ask, gathered.start(bodies), gathered)) return;
   }

@@ -36,18 +36,14 @@ struct World::State {
 
   /// Throws InvalidOptions and InvalidStep.
   void validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions);
-  /// Pairs of bodies that may touch and whose hulls come within `distance` plus `margin`.
-  std::vector<BodyPair> near_bodies(const NearDistance& distance, double margin, During during);
+  /// Pairs of bodies that may touch and whose hulls come within the distance.
+  std::vector<BodyPair> near_bodies(const NearDistance& distance);
   std::vector<BodyPair> wanted_pairs(const Gathering& gathering, std::vector<BodyPair> pairs) const;
-  /// Makes `gathering` hold all items that come within `distance`; returns false if none do. `pairs`: wanted_pairs() of
-  /// near_bodies() without margin. `times`: the ends of pieces, beginning with 0.
+  /// Makes `gathering` hold all items that come within the distance; returns false if none do. `pairs`: wanted_pairs()
+  /// of near_bodies(). REQUIRES: no margin. `times`: the ends of pieces, beginning with 0.
   bool gather(Gathering& gathering, const NearDistance& distance, const std::vector<BodyPair>& pairs,
               std::span<const double> times);
-  /// Adds to `items` those that come within `distance` plus `margin`.
-  void find_near(const std::vector<BodyPair>& pairs, const NearDistance& distance, double margin,
-                 std::span<const double> times, NearItems& items) const;
-  void gather_anew(Gathering& gathering, const NearDistance& distance, const NearItems& needed,
-                   std::span<const double> times);
+  void gather_anew(Gathering& gathering, NearDistance distance, const NearItems& needed, std::span<const double> times);
   /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
   std::vector<double> times_of_pieces(const std::vector<BodyPair>& pairs) const;
   /// Calls ask(state of a detector, motion, options, whose) for each detector, until one call returns false: with a

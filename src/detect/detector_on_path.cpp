@@ -9,22 +9,20 @@ namespace tamis {
 
 /// Validates `asked`, then calls find(search) with the search of this question, and measures it.
 template <class Find>
-void Detector::State::on_path(const CutPath& path, double keep, const QueryOptions& asked, const Find& find) {
+void Detector::State::on_path(const CutPath& path, double keep, const QueryOptions& asked, Question question,
+                              const Find& find) {
   validate_of_path(asked);
-  const Separations kept = separations(asked);
+  const Query whole = asked_query({}, asked, question);
   measure([&] {
-    const MeshOnPath whole{
-        path.path, kept, asked.tolerance.value_or(PairOptions().tolerance), asked.at_start == AtStart::ignore,
-        path.ends, keep};
-    PathSearch search(mesh, options, rings_, *engine_, whole, statistics);
+    const MeshOnPath on_path{path.path, whole, asked.tolerance.value_or(PairOptions().tolerance), path.ends, keep};
+    PathSearch search(mesh, on_path, *engine_, kernels(options.isa), statistics);
     find(search);
   });
 }
 
-const std::vector<Contact>& Detector::State::ask(const CutPath& path, const QueryOptions& asked, Question question) {
-  if (asked.at_start == AtStart::fail && question == Question::is_free) question = Question::earliest;
-  on_path(path, 0, asked, [&](PathSearch& search) {
-    found.contacts() = search.find(question);
+EarliestContact Detector::State::find(const CutPath& path, const QueryOptions& asked, Question question) {
+  on_path(path, 0, asked, question, [&](PathSearch& search) {
+    found.contacts() = search.find();
     sort_found();
   });
   for (const Contact& c : found.contacts())
@@ -32,25 +30,13 @@ const std::vector<Contact>& Detector::State::ask(const CutPath& path, const Quer
       throw InvalidStep(features_text(c.kind, c.vertices) +
                         " touch at the start of the path, or are nearer than can be told: move them apart, leave the "
                         "pair out, or ask with at_start ignore");
-  return found.contacts();
-}
-
-const std::vector<Contact>& Detector::State::find_contacts(const CutPath& path, const QueryOptions& asked) {
-  return ask(path, asked, Question::all_contacts);
-}
-
-EarliestContact Detector::State::earliest(const CutPath& path, const QueryOptions& asked) {
-  return first_of(ask(path, asked, Question::earliest));
-}
-
-bool Detector::State::is_free(const CutPath& path, const QueryOptions& asked) {
-  return ask(path, asked, Question::is_free).empty();
+  return first_of(found.contacts());
 }
 
 SafeStep Detector::State::safe_step(const CutPath& path, double keep, const QueryOptions& asked) {
   validate_kept(keep);
   SafeStep answer;
-  on_path(path, keep, asked, [&](PathSearch& search) { answer = search.find_step_length(); });
+  on_path(path, keep, asked, Question::earliest, [&](PathSearch& search) { answer = search.find_step_length(); });
   return answer;
 }
 

@@ -69,25 +69,32 @@ void Detector::State::in_arena_if_long(const Work& work) {
     work();
 }
 
+Query Detector::State::asked_query(const Step& step, const QueryOptions& asked, Question question) const {
+  Query result = query(step, separations(asked.min_separation.value_or(options.min_separation)), question);
+  result.ignores_start = asked.at_start == AtStart::ignore;
+  return result;
+}
+
 Query Detector::State::validated_query(const Step& step, const QueryOptions& asked, Question question) {
   validate_of_step(asked);
   in_arena_if_long([&] { validate(step, mesh); });
-  Query result = query(step, separations(asked), question);
-  result.ignores_start = asked.at_start == AtStart::ignore;
+  Query result = asked_query(step, asked, question);
   if (frame_) result.frame = &*frame_;
   return result;
 }
 
-void Detector::State::find(const Query& query) {
+EarliestContact Detector::State::find(const Query& query) {
+  EarliestContact first;
   measure([&] {
     bound_.begin();
     found.begin(query, bound_);
     engine_->find(query, found, statistics);
     if (query.question == Question::all_contacts) sort_found();
-    if (query.question == Question::earliest) found.first();  // decides contacts not yet decided singly
+    if (query.question == Question::earliest) first = found.first();
     statistics.decided_by += found.decided_by();
     statistics.ignored = found.ignored();
   });
+  return first;
 }
 
 void Detector::State::refuse_start(const Query& query, const Contact& touching) const {
@@ -97,34 +104,19 @@ void Detector::State::refuse_start(const Query& query, const Contact& touching) 
                     ": move them apart, leave the pair out, or ask with at_start ignore");
 }
 
-const std::vector<Contact>& Detector::State::find_contacts(const Step& step, const QueryOptions& asked) {
-  Query all = validated_query(step, asked);
-  all.depends_on_pair_alone = serves_world_;
-  find(all);
-  const auto& contacts = found.contacts();
-  if (asked.at_start != AtStart::fail) return contacts;
-  const auto touching = std::ranges::find_if(contacts, [](const Contact& c) { return c.toi_upper == 0; });
-  if (touching != contacts.end()) refuse_start(all, *touching);
-  return contacts;
+EarliestContact Detector::State::find(const Step& step, const QueryOptions& asked, Question question) {
+  Query whole = validated_query(step, asked, question);
+  whole.depends_on_pair_alone = serves_world_ && question == Question::all_contacts;
+  const EarliestContact first = find(whole);
+  if (asked.at_start != AtStart::fail) return first;
+  if (first.contact && first.toi_upper == 0) refuse_start(whole, *first.contact);
+  for (const Contact& c : found.contacts())
+    if (c.toi_upper == 0) refuse_start(whole, c);
+  return first;
 }
 
 void Detector::State::sort_found() {
   sorter_.sort(found.contacts(), mesh.vertex_count(), [this] { stop_if_cancelled(options); });
-}
-
-EarliestContact Detector::State::earliest(const Step& step, const QueryOptions& asked) {
-  const Query first_of_all = validated_query(step, asked, Question::earliest);
-  find(first_of_all);
-  const EarliestContact first = found.first();
-  if (asked.at_start == AtStart::fail && first.toi_upper == 0) refuse_start(first_of_all, *first.contact);
-  return first;
-}
-
-/// AtStart::fail needs the earliest contact: any other does not tell whether a pair touches at the start.
-bool Detector::State::is_free(const Step& step, const QueryOptions& asked) {
-  if (asked.at_start == AtStart::fail) return !earliest(step, asked).contact;
-  find(validated_query(step, asked, Question::is_free));
-  return found.contacts().empty();
 }
 
 SafeStep Detector::State::safe_step(const Step& step, double keep, const QueryOptions& asked) {
@@ -144,8 +136,7 @@ SafeStep Detector::State::step_length(const Query& query, double keep, AtStart a
   Query at_rest = query;
   at_rest.step.end = query.step.start;
   at_rest.question = Question::earliest;
-  find(at_rest);
-  if (const EarliestContact first = found.first(); first.contact) refuse_start(query, *first.contact);
+  if (const EarliestContact first = find(at_rest); first.contact) refuse_start(query, *first.contact);
   statistics = of_answer;
   return answer;
 }

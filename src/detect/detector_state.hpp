@@ -26,13 +26,23 @@ struct Detector::State {
   /// As in DetectorAccess.
   void use_frame(const BoxFrame& of_scene) { frame_ = of_scene; }
 
+  // Three questions about a Step or a CutPath.
+
   /// All contacts: those in `found`.
-  const std::vector<Contact>& find_contacts(const Step& step, const QueryOptions& asked);
-  const std::vector<Contact>& find_contacts(const CutPath& path, const QueryOptions& asked);
-  EarliestContact earliest(const Step& step, const QueryOptions& asked);
-  EarliestContact earliest(const CutPath& path, const QueryOptions& asked);
-  bool is_free(const Step& step, const QueryOptions& asked);
-  bool is_free(const CutPath& path, const QueryOptions& asked);
+  const std::vector<Contact>& find_contacts(const auto& motion, const QueryOptions& asked) {
+    find(motion, asked, Question::all_contacts);
+    return found.contacts();
+  }
+  EarliestContact earliest(const auto& motion, const QueryOptions& asked) {
+    return find(motion, asked, Question::earliest);
+  }
+  /// AtStart::fail needs the earliest contact: any other does not tell whether a pair touches at the start.
+  bool is_free(const auto& motion, const QueryOptions& asked) {
+    if (asked.at_start == AtStart::fail) return !earliest(motion, asked).contact;
+    find(motion, asked, Question::is_free);
+    return found.contacts().empty();
+  }
+
   SafeStep safe_step(const Step& step, double keep, const QueryOptions& asked);
   /// On a path, a pair that starts nearer to its separation than doubles can tell ends the step at t=0.
   SafeStep safe_step(const CutPath& path, double keep, const QueryOptions& asked);
@@ -51,17 +61,14 @@ struct Detector::State {
  private:
   /// Throws InvalidOptions.
   Separations separations(double fixed) const;
-  Separations separations(const QueryOptions& asked) const {
-    return separations(asked.min_separation.value_or(options.min_separation));
-  }
   /// The query about a validated step.
   Query query(const Step& step, const Separations& separations, Question question = Question::all_contacts) const {
     return {step, separations, options.filter, rings_, options.is_cancelled, question};
   }
-  /// Answers a question about a path into `found`.
-  const std::vector<Contact>& ask(const CutPath& path, const QueryOptions& asked, Question question);
+  /// The same with a question's own options. Throws InvalidOptions.
+  Query asked_query(const Step& step, const QueryOptions& asked, Question question) const;
   template <class Find>
-  void on_path(const CutPath& path, double keep, const QueryOptions& asked, const Find& find);
+  void on_path(const CutPath& path, double keep, const QueryOptions& asked, Question question, const Find& find);
   /// Truncates the step of a validated query. The caller can store the positions at its end.
   TruncatedStep truncate(const Query& whole, double keep, AtStart at_start, Stored stored);
   /// Runs a loop over the vertices, in the arena if it is long enough for threads to share.
@@ -69,8 +76,11 @@ struct Detector::State {
   void in_arena_if_long(const Work& work);
   /// Throws InvalidOptions, InvalidStep.
   Query validated_query(const Step& step, const QueryOptions& asked, Question question = Question::all_contacts);
-  /// Answers the query into `found`.
-  void find(const Query& query);
+  /// Finds contacts, which `found` holds then; of `earliest` the first, which is returned. Throws InvalidOptions,
+  /// InvalidStep, InvalidPath.
+  EarliestContact find(const Step& step, const QueryOptions& asked, Question question);
+  EarliestContact find(const CutPath& path, const QueryOptions& asked, Question question);
+  EarliestContact find(const Query& query);
   /// Throws InvalidStep, which names the pair: it touches at the step's start.
   [[noreturn]] void refuse_start(const Query& query, const Contact& touching) const;
   /// 0 < keep < 1.

@@ -40,7 +40,7 @@ struct PairRule {
   bool ignores_start;
 };
 PairRule rule_of(const MeshOnPath& asked, const Path& path, const Contact& pair) {
-  const PairRule rule{asked.separations.between(pair.kind, pair.vertices), asked.ignores_start};
+  const PairRule rule{asked.query.separations.between(pair.kind, pair.vertices), asked.query.ignores_start};
   if (asked.keep == 0) return rule;
   const KeptSeparation kept = kept_separation(path, pair.kind, pair.vertices, {asked.keep, rule.separation});
   if (rule.ignores_start && kept.is_near_separation) return rule;
@@ -49,27 +49,27 @@ PairRule rule_of(const MeshOnPath& asked, const Path& path, const Contact& pair)
 
 }  // namespace
 
-PathSearch::PathSearch(const Mesh& mesh, const Options& options, const Rings& rings, Engine& engine,
-                       const MeshOnPath& asked, Statistics& statistics)
+PathSearch::PathSearch(const Mesh& mesh, const MeshOnPath& asked, Engine& engine, const Kernels& kernels,
+                       Statistics& statistics)
     : mesh_(mesh),
-      options_(options),
-      rings_(rings),
-      engine_(engine),
       asked_(asked),
+      query_(asked.query),
+      engine_(engine),
       statistics_(statistics),
       pieces_(mesh, asked.path, asked.ends),
       searched_radii_(radii_to_search()),
-      searched_{asked.separations.fixed, searched_radii_},
-      parts_(kernels(options.isa)) {
-  TAMIS_ASSERT(asked.separations.fixed >= 0 && std::isfinite(asked.separations.fixed) && asked.tolerance > 0);
-  TAMIS_ASSERT(asked.separations.radii.empty() || asked.separations.radii.size() == at(mesh.vertex_count()));
+      searched_{query_.separations.fixed, searched_radii_},
+      parts_(kernels) {
+  const auto& [fixed, radii] = query_.separations;
+  TAMIS_ASSERT(fixed >= 0 && std::isfinite(fixed) && asked.tolerance > 0);
+  TAMIS_ASSERT(radii.empty() || radii.size() == at(mesh.vertex_count()));
 }
 
 /// A pair of clearance c that keeps no more than f c has lost (1 - f) c, which is at most w, both features'
 /// displacements together. So f c is at most f / (1 - f) w. Each feature adds its own displacement's part: so whether a
 /// pair is looked at depends on the pair alone.
 std::vector<double> PathSearch::radii_to_search() {
-  std::vector<double> radii = neighbourhood_maximum(mesh_, asked_.separations.radii);
+  std::vector<double> radii = neighbourhood_maximum(mesh_, query_.separations.radii);
   if (asked_.keep == 0) return radii;
   radii.resize(at(mesh_.vertex_count()));
   const std::vector<double> displacements = pieces_.displacements();
@@ -78,16 +78,16 @@ std::vector<double> PathSearch::radii_to_search() {
   return neighbourhood_maximum(mesh_, radii);
 }
 
-std::vector<Contact> PathSearch::find(Question question) {
+std::vector<Contact> PathSearch::find() {
   for (MeshMoment from = pieces_.moment_at(0); from.time < 1;) {
-    stop_if_cancelled(options_);
+    stop_if_cancelled(query_);
     MeshMoment to = pieces_.next(from);
     search_chords(from, to);
     const std::size_t before = contacts_.size();
-    decide_all(question, from, to);
-    if (contacts_.size() > before && question != Question::all_contacts) break;
+    decide_all(from, to);
+    if (contacts_.size() > before && query_.question != Question::all_contacts) break;
     for (std::size_t i = before; i < contacts_.size(); ++i) {
-      if (i % kBatch == 0) stop_if_cancelled(options_);
+      if (i % kBatch == 0) stop_if_cancelled(query_);
       reported_.insert(key_of(contacts_[i]));
     }
     from = std::move(to);
@@ -105,7 +105,7 @@ void PathSearch::search_chords(const MeshMoment& from, const MeshMoment& to) {
     radii[v] = chord_radius(index, straight.deviations[v], error, from.time, searched_);
   }
   Query chords{
-      {straight.start, straight.end}, {searched_.fixed, radii}, options_.filter, rings_, options_.is_cancelled};
+      {straight.start, straight.end}, {searched_.fixed, radii}, query_.filter, query_.rings, query_.is_cancelled};
   chords.is_piece = true;
   Bound bound;
   candidates_.begin(chords, bound);
@@ -115,16 +115,16 @@ void PathSearch::search_chords(const MeshMoment& from, const MeshMoment& to) {
   std::erase_if(candidates_.contacts(), [&](const Contact& pair) { return reported_.contains(key_of(pair)); });
 }
 
-void PathSearch::decide_all(Question question, const MeshMoment& from, const MeshMoment& to) {
+void PathSearch::decide_all(const MeshMoment& from, const MeshMoment& to) {
   std::vector<Contact>& pairs = candidates_.contacts();
   std::ranges::sort(pairs, [](const Contact& a, const Contact& b) {
     return a.toi_lower != b.toi_lower ? a.toi_lower < b.toi_lower : comes_before(a, b);
   });
-  parts_.begin({asked_.path, searched_, pairs, from, to, options_.is_cancelled});
+  parts_.begin({asked_.path, searched_, pairs, from, to, query_.is_cancelled});
   const TimeInterval<double> piece{from.time, to.time};
   const double start = piece.t_in, length = piece.t_out - start;
   double latest = piece.t_out;
-  std::size_t most = question == Question::all_contacts ? kBatch : kFirstBatch;
+  std::size_t most = query_.question == Question::all_contacts ? kBatch : kFirstBatch;
   for (std::vector<std::int32_t> places = parts_.next(latest); !places.empty(); places = parts_.next(latest))
     for (std::span<const std::int32_t> rest = places; !rest.empty(); most = std::min(2 * most, kBatch)) {
       // Pairs ascend by their times on the whole piece: this one and those behind it touch later than the contact
@@ -132,8 +132,8 @@ void PathSearch::decide_all(Question question, const MeshMoment& from, const Mes
       if (start + pairs[at(rest.front())].toi_lower * length * (1 - 0x1p-40) > latest) break;
       const std::size_t count = std::min(most, rest.size());
       const double touched_by = decide(piece, rest.first(count));
-      if (question == Question::is_free && !contacts_.empty()) return;
-      if (question == Question::earliest) latest = std::min(latest, touched_by);
+      if (query_.question == Question::is_free && !contacts_.empty()) return;
+      if (query_.question == Question::earliest) latest = std::min(latest, touched_by);
       rest = rest.subspan(count);
     }
 }
@@ -151,7 +151,7 @@ double PathSearch::decide(const TimeInterval<double>& piece, std::span<const std
     const Contact& pair = pairs[at(places[i])];
     const PairRule rule = rule_of(asked_, paths.local(), pair);
     const PathQuestion of_pair{paths.local(),   pair.kind,        pair.vertices,
-                               rule.separation, asked_.tolerance, options_.is_cancelled};
+                               rule.separation, asked_.tolerance, query_.is_cancelled};
     Decision decision = decide_on_path(of_pair, piece);
     const bool may_touch_at_start = !decision.is_free() && decision.lower == piece.t_in;
     if (rule.ignores_start && may_touch_at_start && is_in_first_contact(pair, piece.t_in)) {

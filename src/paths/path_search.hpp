@@ -18,9 +18,8 @@ namespace tamis {
 /// A question about a mesh on a path.
 struct MeshOnPath {
   const Path& path;
-  const Separations& separations;
-  double tolerance;
-  bool ignores_start = false;         ///< as in Query
+  const Query& query;  ///< without a step. REQUIRES: a finite fixed separation >= 0, radii of all vertices or none
+  double tolerance;    ///< > 0
   std::span<const double> ends = {};  ///< of the pieces, ascending, the last 1; if empty, by deviations
   /// In [0, 1): the part of its clearance at t=0 that a pair must keep. If not 0, a pair counts as touching once no
   /// more than this part is left.
@@ -31,14 +30,13 @@ struct MeshOnPath {
 /// in the caller's oneTBB arena.
 class PathSearch {
  public:
-  /// Keeps references. REQUIRES: a finite fixed separation >= 0, radii of all vertices or none, a tolerance > 0.
-  /// REQUIRES (not checked: O(n)): finite radii >= 0.
-  PathSearch(const Mesh& mesh, const Options& options, const Rings& rings, Engine& engine, const MeshOnPath& asked,
-             Statistics& statistics);
+  /// Keeps references. REQUIRES (not checked: O(n)): finite radii >= 0.
+  PathSearch(const Mesh& mesh, const MeshOnPath& asked, Engine& engine, const Kernels& kernels, Statistics& statistics);
 
   /// Every pair that touches, once, in no order; for `earliest` and `is_free` the search ends soon after the first.
-  std::vector<Contact> find(Question question);
-  /// The fraction of the path that all vertices may go so that every pair keeps its part of its clearance.
+  std::vector<Contact> find();
+  /// The fraction of the path that all vertices may go so that every pair keeps its part of its clearance. REQUIRES:
+  /// the query asks for `earliest`.
   SafeStep find_step_length();
 
  private:
@@ -50,7 +48,7 @@ class PathSearch {
   /// Leaves in candidates_ the pairs whose chords come within searched_ on a piece.
   void search_chords(const MeshMoment& from, const MeshMoment& to);
   /// Decides these pairs on their curves.
-  void decide_all(Question question, const MeshMoment& from, const MeshMoment& to);
+  void decide_all(const MeshMoment& from, const MeshMoment& to);
   /// Decides the candidates at these places, in parallel. Returns the earliest end of a bracket, else the piece's.
   double decide(const TimeInterval<double>& piece, std::span<const std::int32_t> places);
   /// Is the pair, which is ignored at the start, still in its first contact at this time, the start of a piece?
@@ -60,10 +58,9 @@ class PathSearch {
   }
 
   const Mesh& mesh_;
-  const Options& options_;
-  const Rings& rings_;
-  Engine& engine_;
   const MeshOnPath& asked_;
+  const Query& query_;  ///< that of asked_
+  Engine& engine_;
   Statistics& statistics_;
   MeshPieces pieces_;
   const std::vector<double> searched_radii_;  ///< deviations are added to these, vertex by vertex

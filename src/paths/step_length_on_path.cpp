@@ -37,14 +37,14 @@ NearPair near_pair_at_start(const Path& path, PairKind kind, const PairVertices&
 }  // namespace
 
 SafeStep PathSearch::find_step_length() {
-  const EarliestContact first = first_of(find(Question::earliest));
+  const EarliestContact first = first_of(find());
   if (!first.contact) return {};
   const auto& [kind, certainty, vertices, toi_lower, toi_upper, u, v, normal] = *first.contact;
   SafeStep step{toi_lower, first.toi_upper, near_pair_at_start(asked_.path, kind, vertices)};
   if (asked_.keep > 0) {
-    const DistanceRule rule{asked_.keep, asked_.separations.between(kind, vertices)};
+    const DistanceRule rule{asked_.keep, query_.separations.between(kind, vertices)};
     const KeptSeparation kept = kept_separation(asked_.path, kind, vertices, rule);
-    const PathQuestion question{asked_.path, kind, vertices, kept.low, asked_.tolerance, options_.is_cancelled};
+    const PathQuestion question{asked_.path, kind, vertices, kept.low, asked_.tolerance, query_.is_cancelled};
     const Decision decision = decide_on_path(question, {toi_lower, 1});
     step.upper = decision.touches() ? decision.upper : 1;
   }

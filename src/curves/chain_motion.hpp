@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
+#include "curves/curvature.hpp"
 #include "numerics/error_bounds.hpp"
 #include "numerics/finite.hpp"
-#include "numerics/interval.hpp"
 #include "tamis/rigid_path.hpp"
 
 namespace tamis {
@@ -64,17 +64,6 @@ RoundedTransform transform_at(const Chain& chain, double time);
 /// The fixed axis about which all points turn: the rotation vectors of all links from the outermost to the last that
 /// turns are exactly parallel to it. Zeros if they are not parallel, or if no link turns.
 Point fixed_axis(const Chain& chain);
-
-/// Bounds of how far one point's curve bends, over the whole step.
-struct Curvature {
-  double acceleration;  ///< |x''| is at most this
-  double orbit_radius;  ///< x(t), less its part that moves linearly, stays within this distance of one point
-
-  /// An upper bound of the distance from the chord, on a piece whose chord_factor() is `factor`.
-  double deviation(const Interval& factor) const {
-    return std::min((factor * Interval(acceleration)).upper, 2 * orbit_radius);
-  }
-};
 
 /// Bounds of what a chain does to the points of a body.
 class ChainBounds {

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "curves/chain_motion.hpp"
-#include "curves/chord_deviation.hpp"
 #include "curves/fine_point.hpp"
 #include "curves/rigid_transform.hpp"
 #include "tamis/error.hpp"

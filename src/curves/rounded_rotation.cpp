@@ -2,15 +2,14 @@
 
 #include <cmath>
 
+#include "curves/rotation.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
 
 namespace tamis {
 namespace {
 
-struct CosineSinc {
-  double cosine, sinc;
-};
+using CosineSinc = rotation::CosineSinc<double>;
 
 /// cos x and sin x / x from x^2 in [0, 1], by their series: within 4.9 u and 2.3 u.
 CosineSinc of_small_angle(double square) {
@@ -37,15 +36,11 @@ RoundedRotation rounded_rotation(const Point& rotation, double off) {
   TAMIS_ASSERT(square <= kLargestRoundedAngle * kLargestRoundedAngle * kRoundedUp);
   if (x == 0 && y == 0 && z == 0 && off == 0) return {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 0};
   const bool is_small = square <= 4;
-  const auto [cosine, sinc] = is_small ? of_small_angle(square / 4) : of_angle_from_half(square / 16);
-  const double a = sinc * cosine, b = 0.5 * sinc * sinc;  // of the whole angle, from cosine and sinc of half of it
-  const double xx = b * x * x, yy = b * y * y, zz = b * z * z, xy = b * x * y, xz = b * x * z, yz = b * y * z;
+  const CosineSinc half = is_small ? of_small_angle(square / 4) : of_angle_from_half(square / 16);
+  const auto [a, b, c] = rotation::rows_of<double>({x, y, z}, half);
   const double angle = std::sqrt(square);
   const double lost = is_small ? 1 + 11 * angle + 1.5 * square : 5 + 25 * angle + 4.5 * square;
-  return {{{{1 - (yy + zz), xy - a * z, xz + a * y},
-            {xy + a * z, 1 - (xx + zz), yz - a * x},
-            {xz - a * y, yz + a * x, 1 - (xx + yy)}}},
-          (0x1p-53 * lost + off) * kRoundedUp};
+  return {{{{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}}}, (0x1p-53 * lost + off) * kRoundedUp};
 }
 
 }  // namespace tamis

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "curves/chord_deviation.hpp"
+#include "curves/curvature.hpp"
 #include "curves/fine_point.hpp"
 #include "numerics/error_bounds.hpp"
 #include "numerics/finite.hpp"
@@ -110,14 +110,14 @@ void SplinePath::fine_points_at(double time, std::span<const Index> vertices, st
 
 void SplinePath::deviations(double from, double to, std::span<const Index> vertices,
                             std::span<double> deviations) const {
-  const Interval length = Interval(to) - Interval(from);
+  const Interval factor = chord_factor(Interval(to) - Interval(from));
   // x' has no jumps, so the largest |x''| of all pieces touched bounds the deviation.
   const std::size_t first = piece_at(from, acceleration_.size()).piece, last = piece_at(to, acceleration_.size()).piece;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     double largest = 0;
     for (std::size_t piece = first; piece <= last; ++piece)
       largest = std::max(largest, acceleration_[piece][at(vertices[i])]);
-    deviations[i] = chord_deviation(largest, length);
+    deviations[i] = Curvature{largest}.deviation(factor);
   }
 }
 

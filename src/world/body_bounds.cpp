@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "curves/chord_deviation.hpp"
 #include "numerics/assert.hpp"
 #include "topology/at.hpp"
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "curves/chord_deviation.hpp"
 #include "numerics/error_bounds.hpp"
 #include "paths/mesh_pieces.hpp"
 #include "query/cancellation.hpp"
@@ -58,14 +57,6 @@ std::uint64_t Gathering::memory_bytes() const {
   std::uint64_t bytes = held_bytes(gathered);
   for (const auto& [id, motion] : motions) bytes += sizeof(motion) + bytes_held_by(motion);
   return bytes;
-}
-
-std::vector<BodyPair> World::State::near_bodies(const NearDistance& distance) {
-  stop_if_cancelled(options);
-  std::vector<BodyPair> pairs = near_bodies_.find(bodies, distance);
-  if (!excluded_pairs.empty())
-    std::erase_if(pairs, [&](const BodyPair& pair) { return excluded_pairs.contains(pair); });
-  return pairs;
 }
 
 std::vector<BodyPair> World::State::wanted_pairs(const Gathering& gathering, std::vector<BodyPair> pairs) const {
@@ -133,11 +124,12 @@ void World::State::gather_anew(Gathering& gathering, NearDistance distance, cons
 
 std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& pairs) const {
   double pieces = 1;
+  const Interval whole_step = chord_factor(Interval(1));
   for (const BodyPair& pair : pairs) {
     const Body &a = *bodies[at(pair[0])], &b = *bodies[at(pair[1])];
     const double allowed = kChordDeviationInEdges * std::max(a.shape().edge, b.shape().edge);
     const double acceleration = a.curvature().acceleration + b.curvature().acceleration;
-    const double deviation = kShiftedChordPart * chord_deviation(acceleration, Interval(1));  // of the whole step
+    const double deviation = kShiftedChordPart * Curvature{acceleration}.deviation(whole_step);
     if (allowed > 0 && deviation > allowed) pieces = std::max(pieces, std::ceil(std::sqrt(deviation / allowed)));
   }
   pieces = std::min(pieces, kMostPieces);

@@ -1,6 +1,9 @@
 #include "world/near_bodies.hpp"
 
-#include "kernels/kernels.hpp"
+#include <algorithm>
+
+#include "query/cancellation.hpp"
+#include "world/world_state.hpp"
 
 namespace tamis {
 
@@ -26,9 +29,8 @@ BodyTree::BodyTree(const BodyList& bodies, bool are_still, const NearDistance& d
   boxes_ = tree_.boxes([this](Index i) -> const Box& { return hulls_[at(i)]; });
 }
 
-NearBodies::NearBodies(Isa isa) : split_(kernels(isa).trees.split) {}
-
-std::vector<BodyPair> NearBodies::find(const BodyList& bodies, const NearDistance& distance) {
+std::vector<BodyPair> World::State::near_bodies(const NearDistance& distance) {
+  stop_if_cancelled(options);
   if (!still_) still_.emplace(bodies, true, distance, split_);
   const BodyTree moving(bodies, false, distance, split_);
   std::vector<BodyPair> pairs;
@@ -41,6 +43,7 @@ std::vector<BodyPair> NearBodies::find(const BodyList& bodies, const NearDistanc
     });
     still_->for_each_near(box, [&](BodyId other) { pairs.push_back({std::min(body, other), std::max(body, other)}); });
   }
+  std::erase_if(pairs, [&](const BodyPair& pair) { return excluded_pairs.contains(pair); });
   std::ranges::sort(pairs);
   return pairs;
 }

@@ -1,8 +1,7 @@
-// Finds which bodies may come near each other during the step, by the boxes that they sweep over.
+// Which bodies may come near each other during the step, by the boxes that they sweep over.
 #pragma once
 #include <array>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "numerics/error_bounds.hpp"
@@ -61,22 +60,6 @@ class BodyTree {
   std::vector<Box> hulls_;
   BoxTree tree_;
   std::vector<Box> boxes_;  ///< of its nodes
-};
-
-/// Finds near bodies. Keeps the tree of the bodies that stay, for later questions.
-class NearBodies {
- public:
-  /// Throws InvalidOptions if this machine lacks the instruction set.
-  explicit NearBodies(Isa isa);
-  /// To be called when a body that does not move has changed, or its radius.
-  void forget_still() { still_.reset(); }
-
-  /// Pairs of bodies, ascending, both switched on and not both still, that may come within the distance.
-  std::vector<BodyPair> find(const BodyList& bodies, const NearDistance& distance);
-
- private:
-  Split split_;
-  std::optional<BodyTree> still_;  ///< once asked for
 };
 
 }  // namespace tamis

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "kernels/kernels.hpp"
 #include "query/stopwatch.hpp"
 #include "tamis/busy_guard.hpp"
 #include "world/gathering.hpp"
@@ -22,7 +23,7 @@ struct World::State {
   void forget_gathered(const Body& changed);
   /// To be called when a body is added or given another motion. Gathered meshes notice both by themselves.
   void forget_if_still(const Body& changed) {
-    if (changed.motion_kind() == MotionKind::still) near_bodies_.forget_still();
+    if (changed.motion_kind() == MotionKind::still) still_.reset();
   }
 
   const Options options;
@@ -36,7 +37,8 @@ struct World::State {
 
   /// Throws InvalidOptions and InvalidStep.
   void validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions);
-  /// Pairs of bodies that may touch and whose hulls come within the distance.
+  /// Pairs of bodies that may touch, ascending, both switched on and not both still, whose hulls come within the
+  /// distance.
   std::vector<BodyPair> near_bodies(const NearDistance& distance);
   std::vector<BodyPair> wanted_pairs(const Gathering& gathering, std::vector<BodyPair> pairs) const;
   /// Makes `gathering` hold all items that come within the distance; returns false if none do. `pairs`: wanted_pairs()
@@ -72,7 +74,8 @@ struct World::State {
                                                  const std::array<BodyId, 2>& of);
   std::uint64_t memory_bytes() const;
 
-  NearBodies near_bodies_{options.isa};
+  const Split split_ = kernels(options.isa).trees.split;
+  std::optional<BodyTree> still_;  ///< of the bodies that stay, once asked for
   Gathering straight_{MotionKind::straight, MotionKind::straight, 1};
   Gathering turning_{MotionKind::turning, MotionKind::turning, 0.5};
   Gathering at_rest_{MotionKind::straight, MotionKind::turning, 1};

@@ -48,18 +48,24 @@ void validate(PairKind kind, std::span<const Point> start, std::span<const Point
 
 constexpr std::size_t kPairsOfListPart = 8192;
 
-/// Calls decide(first, last, kernels) for the parts of a list. Returns false if one of these calls does: a pair is not
-/// legal.
-template <class Decide>
-bool decide_in_parts(std::size_t count, const PairOptions& options, const Decide& decide) {
+struct PairsInStep {
+  std::span<const Pair> pairs;
+  Step step;
+};
+
+/// Decides the pairs of part(first, count) for the parts of a list. Returns false if a pair is not legal.
+template <class Part>
+bool decide_in_parts(std::span<PairResult> results, const PairOptions& options, const Part& part_of) {
   validate(options);
   const Kernels& chosen = kernels(options.isa);
   std::atomic<bool> is_legal{true};
   Arena(options.threads).run([&] {
-    const tbb::blocked_range<std::size_t> all(0, count, kPairsOfListPart);
+    const tbb::blocked_range<std::size_t> all(0, results.size(), kPairsOfListPart);
     const auto decide_part = [&](const tbb::blocked_range<std::size_t>& part) {
       stop_if_cancelled(options);
-      if (!decide(part.begin(), part.end(), chosen)) is_legal = false;
+      const auto [pairs, step] = part_of(part.begin(), part.size());
+      if (!decide_part_of_list({pairs, step, chosen, options}, results.subspan(part.begin(), part.size())))
+        is_legal = false;
     };
     tbb::parallel_for(all, decide_part, tbb::simple_partitioner());
   });
@@ -82,12 +88,10 @@ std::vector<Pair> pairs_in_a_row(PairKind kind, std::size_t count) {
 void narrow_phase(std::span<const Pair> pairs, const Step& step, std::span<PairResult> results,
                   const PairOptions& options) {
   validate(pairs, step, results);
-  const auto decide = [&](std::size_t first, std::size_t last, const Kernels& kernels) {
-    const std::size_t count = last - first;
-    return decide_part_of_list({pairs.subspan(first, count), step, kernels, options}, results.subspan(first, count));
+  const auto part = [&](std::size_t first, std::size_t count) {
+    return PairsInStep{pairs.subspan(first, count), step};
   };
-  const bool is_legal = decide_in_parts(results.size(), options, decide);
-  if (!is_legal) refuse_first_fault(pairs, step);
+  if (!decide_in_parts(results, options, part)) refuse_first_fault(pairs, step);
 }
 
 std::vector<PairResult> narrow_phase(std::span<const Pair> pairs, const Step& step, const PairOptions& options) {
@@ -101,13 +105,11 @@ void narrow_phase(PairKind kind, std::span<const Point> start, std::span<const P
   validate(kind, start, end, results);
   const std::size_t corners = vertex_count(kind);
   const std::vector<Pair> pairs = pairs_in_a_row(kind, std::min(results.size(), kPairsOfListPart));  // of each part
-  const auto decide = [&](std::size_t first, std::size_t last, const Kernels& kernels) {
-    const std::size_t count = last - first;
+  const auto part = [&](std::size_t first, std::size_t count) {
     const Step step{start.subspan(corners * first, corners * count), end.subspan(corners * first, corners * count)};
-    return decide_part_of_list({std::span(pairs).first(count), step, kernels, options}, results.subspan(first, count));
+    return PairsInStep{std::span(pairs).first(count), step};
   };
-  const bool is_legal = decide_in_parts(results.size(), options, decide);
-  if (!is_legal) refuse_first_point(corners, start, end);
+  if (!decide_in_parts(results, options, part)) refuse_first_point(corners, start, end);
 }
 
 }  // namespace tamis

@@ -61,8 +61,7 @@ class PathSolver {
  private:
   /// The final decision if the part holds the earliest time not proven free; nothing if it is free or was cut.
   std::optional<Decision> decided_by(const PathPart<T>& part) {
-    const std::array<double, 4> deviations = reader_.deviations(part.from.time, part.to.time);
-    const Chords<kind, T> chords(part.from, part.to, deviations, reader_.directions());
+    const Chords<kind, T> chords(part.from, part.to, part.deviations, reader_.directions());
     const auto ends = chords.at_ends();
     if (chords.axis_proves_free(ends)) return {};
     const auto widened = chords.motion();
@@ -75,7 +74,7 @@ class PathSolver {
       if (is_narrow && stays_inside<kind>(widened)) return Decision{Verdict::touches, part.from.time, part.to.time};
       if (cut_around_crossing(part, window_of(widened, side_before))) return {};
     }
-    if (--parts_left_ > 0 && may_gain(part, deviations, chords.gap_at_start(ends)) &&
+    if (--parts_left_ > 0 && may_gain(part, chords.gap_at_start(ends)) &&
         parts_.cut(part, near_middle(part.from.time, part.to.time)))
       return {};
     return decided_further(part, widened, side_before != 0);
@@ -107,10 +106,10 @@ class PathSolver {
   }
 
   /// May cutting make proofs sharper? In doubles not if the errors of positions are about as large as the gap.
-  bool may_gain(const PathPart<T>& part, const std::array<double, 4>& deviations, double gap_at_start) const {
+  bool may_gain(const PathPart<T>& part, double gap_at_start) const {
     const double error = std::max(part.from.error, part.to.error);
     if (std::is_same_v<T, double> && !(gap_at_start > 8 * error)) return false;
-    const double deviation = *std::max_element(deviations.begin(), deviations.end());
+    const double deviation = *std::ranges::max_element(part.deviations);
     return deviation > 4 * error || part.length() > kShortest<T>;
   }
 

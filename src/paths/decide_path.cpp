@@ -1,6 +1,7 @@
 #include "paths/decide_path.hpp"
 
-#include "motion/time_clip.hpp"
+#include <algorithm>
+
 #include "narrow/contact_normal.hpp"
 #include "numerics/assert.hpp"
 #include "paths/chords.hpp"
@@ -61,6 +62,20 @@ std::optional<Decision> decide_recontact_on_path(const PathQuestion& question, c
     if (const double from = time.t_in + part * length; is_apart_on_path(question, from))
       return decide_on_path(question, {from, time.t_out});
   return std::nullopt;
+}
+
+KeptSeparation kept_separation(const Path& path, PairKind kind, const PairVertices& vertices,
+                               const DistanceRule& rule) {
+  const PairReader reader(path, vertices, 0);
+  const auto moment = reader.at<double>(0);
+  const PairPoints points = points_between(moment, moment);
+  const DistanceBounds middles = start_distance_bounds(kind, points);
+  const double slack = position_slack(moment.error), separation = rule.min_separation * reader.scale();
+  const double low = (middles.low - slack) * (1 - 0x1p-50), high = (middles.high + slack) * (1 + 0x1p-50);
+  const auto kept = [&](double distance) {
+    return (separation + rule.fraction * std::max(distance - separation, 0.0)) / reader.scale();
+  };
+  return {kept(low) * (1 - 0x1p-50), kept(high) * (1 + 0x1p-50) + 0x1p-1000, !(low > separation)};
 }
 
 PairResult result_on_path(const PathQuestion& question, const Decision& decision) {

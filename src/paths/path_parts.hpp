@@ -13,6 +13,7 @@ namespace tamis {
 template <class T>
 struct PathPart {
   Moment<T> from, to;
+  std::array<double, 4> deviations{};  ///< set by PathParts::next
   double length() const { return to.time - from.time; }
 };
 
@@ -30,8 +31,9 @@ class PathParts {
     constexpr int kPartsBetweenChecks = 64;  // some milliseconds at most
     if (parts_.empty()) return std::nullopt;
     if (taken_++ % kPartsBetweenChecks == 0) stop_if_cancelled(question_);
-    const PathPart<T> part = parts_.back();
+    PathPart<T> part = parts_.back();
     parts_.pop_back();
+    part.deviations = reader_.deviations(part.from.time, part.to.time);
     return part;
   }
   int taken() const { return taken_; }

@@ -11,7 +11,6 @@
 #include "numerics/error_bounds.hpp"
 #include "paths/cached_path.hpp"
 #include "paths/decide_path.hpp"
-#include "paths/step_length_on_path.hpp"
 #include "query/cancellation.hpp"
 #include "topology/at.hpp"
 #include "topology/neighbourhood_maximum.hpp"

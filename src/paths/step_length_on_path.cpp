@@ -1,28 +1,11 @@
-#include "paths/step_length_on_path.hpp"
-
-#include <algorithm>
-
+// Step lengths on curves. The distance that a pair must keep counts as its separation: the time at which it is reached
+// is found as with any other separation.
 #include "narrow/near_pair.hpp"
 #include "paths/decide_path.hpp"
 #include "paths/path_reader.hpp"
 #include "paths/path_search.hpp"
 
 namespace tamis {
-
-KeptSeparation kept_separation(const Path& path, PairKind kind, const PairVertices& vertices,
-                               const DistanceRule& rule) {
-  const PairReader reader(path, vertices, 0);
-  const auto moment = reader.at<double>(0);
-  const PairPoints points = points_between(moment, moment);
-  const DistanceBounds middles = start_distance_bounds(kind, points);
-  const double slack = position_slack(moment.error), separation = rule.min_separation * reader.scale();
-  const double low = (middles.low - slack) * (1 - 0x1p-50), high = (middles.high + slack) * (1 + 0x1p-50);
-  const auto kept = [&](double distance) {
-    return (separation + rule.fraction * std::max(distance - separation, 0.0)) / reader.scale();
-  };
-  return {kept(low) * (1 - 0x1p-50), kept(high) * (1 + 0x1p-50) + 0x1p-1000, !(low > separation)};
-}
-
 namespace {
 
 /// The near pair of the rounded positions at t=0; its distance is in the path's unit.

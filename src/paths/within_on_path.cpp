@@ -16,15 +16,15 @@ constexpr int kMostPartsWithin = 1 << 16;
 constexpr double kNext = 0x1p-5;
 
 /// The largest deviation and error that two points, one of each feature, can have together.
-double slack_of(const PathPart<double>& part, const std::array<double, 4>& deviations) {
-  const double deviation = *std::max_element(deviations.begin(), deviations.end());
+double slack_of(const PathPart<double>& part) {
+  const double deviation = *std::ranges::max_element(part.deviations);
   return (2 * deviation + position_slack(std::max(part.from.error, part.to.error))) * kRoundedUp;
 }
 
-bool axis_proves_free(PairKind kind, const PathPart<double>& part, const std::array<double, 4>& deviations,
-                      const StraightDirections& directions, double separation) {
+bool axis_proves_free(PairKind kind, const PathPart<double>& part, const StraightDirections& directions,
+                      double separation) {
   return with_kind(kind, [&](auto k) {
-    const Chords<k(), double> chords(part.from, part.to, deviations, directions);
+    const Chords<k(), double> chords(part.from, part.to, part.deviations, directions);
     return chords.axis_proves_free(chords.at_ends(), separation);
   });
 }
@@ -52,10 +52,8 @@ Decision first_within_on_path(const PathQuestion& question, const PairReader& re
   PathParts<double> parts(question, reader, time);
   while (auto part = parts.next()) {
     const double from = part->from.time, to = part->to.time;
-    const std::array<double, 4> deviations = reader.deviations(from, to);
-    if (axis_proves_free(kind, *part, deviations, reader.directions(), separation)) continue;
-    const double slack = slack_of(*part, deviations);
-    const auto m = make_motion(kind, points_between(part->from, part->to), separation + slack);
+    if (axis_proves_free(kind, *part, reader.directions(), separation)) continue;
+    const auto m = make_motion(kind, points_between(part->from, part->to), separation + slack_of(*part));
     const Decision chords = first_within(kind, m, {0, 1});
     if (chords.is_free()) continue;
     const double reached = from + chords.lower * (to - from) * (1 - 0x1p-50) - 0x1p-52 * to;

@@ -68,11 +68,6 @@ void validate(const PairFilter& filter, const Mesh& mesh) {
 
 bool is_distance(double distance) { return std::isfinite(distance) && distance >= 0; }
 
-void validate_of_any(const QueryOptions& options) {
-  if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");
-  validate_is_named(options.at_start, "way with pairs that touch at the start");
-}
-
 void check_kept(double keep, bool is_enough, const char* least) {
   if (!(is_enough && keep < 1))
     throw InvalidOptions("keep is " + number_text(keep) + ": give the fraction of its distance that each pair keeps, " +
@@ -164,14 +159,15 @@ void validate_kept(double keep) { check_kept(keep, keep >= 0, ">= 0"); }
 void validate_kept_of_truncate(double keep) { check_kept(keep, keep > 0, "> 0"); }
 
 void validate_of_step(const QueryOptions& options) {
-  validate_of_any(options);
   if (options.tolerance)
     throw InvalidOptions(
         "a step has no tolerance, its brackets are as narrow as doubles: leave it out, or give a path");
+  validate_of_path(options);
 }
 
 void validate_of_path(const QueryOptions& options) {
-  validate_of_any(options);
+  if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");
+  validate_is_named(options.at_start, "way with pairs that touch at the start");
   check_tolerance(options.tolerance.value_or(1));
 }
 

@@ -1,6 +1,7 @@
 // The subdivision of a pair's path in time: a stack of undecided parts, the earliest on top. One pair may take seconds,
 // so cancellation is checked every few parts.
 #pragma once
+#include <array>
 #include <optional>
 #include <vector>
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curves/curvature.hpp"
 #include "numerics/assert.hpp"
 #include "topology/at.hpp"
 

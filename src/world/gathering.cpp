@@ -4,9 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "curves/curvature.hpp"
 #include "numerics/error_bounds.hpp"
+#include "numerics/held_bytes.hpp"
 #include "paths/mesh_pieces.hpp"
-#include "query/cancellation.hpp"
 #include "topology/at.hpp"
 #include "world/world_state.hpp"
 

@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "numerics/held_bytes.hpp"
 #include "world/gathered.hpp"
 
 namespace tamis {

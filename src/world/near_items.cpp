@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <optional>
 #include <set>
 #include <span>
@@ -129,7 +128,11 @@ bool NearItems::includes(const NearItems& other) const {
   if (!std::ranges::includes(pairs, other.pairs)) return false;
   return std::ranges::all_of(other.of_body, [this](const auto& one) {
     const auto mine = of_body.find(one.first);
-    return mine != of_body.end() && std::ranges::equal(mine->second, one.second, std::greater_equal{});
+    if (mine == of_body.end()) return false;
+    char missing = 0;
+    for (std::size_t item = 0; item < one.second.size(); ++item)  // without an end before the last: in whole vectors
+      missing |= static_cast<char>(one.second[item] & ~mine->second[item]);
+    return missing == 0;
   });
 }
 

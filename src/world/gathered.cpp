@@ -52,18 +52,16 @@ Mesh Gathered::make_mesh(const BodyList& bodies) {
   std::vector<Index> points;
   for (const auto& [id, items] : items_.of_body) {
     const BodyShape& shape = member(bodies, id).shape();
-    constexpr Index kUnused = -1, kUsed = 0;
-    std::vector<Index> here(at(shape.mesh.vertex_count()), kUnused);  // of each vertex of the body
-    for (Index item = 0; item < shape.item_count(); ++item)
-      if (items[at(item)])
-        for (const Index own : shape.corners_of(item)) here[at(own)] = kUsed;
-    for (Index own = 0; own < shape.mesh.vertex_count(); ++own) {
-      if (here[at(own)] == kUnused) continue;
+    IndexSet used(shape.mesh.vertex_count());
+    items.for_each([&](Index item) {
+      for (const Index own : shape.corners_of(item)) used.add(own);
+    });
+    const auto here = std::make_unique_for_overwrite<Index[]>(at(shape.mesh.vertex_count()));  // few are used
+    used.for_each([&, id = id](Index own) {
       here[at(own)] = static_cast<Index>(vertices_.size());
       vertices_.push_back({id, own});
-    }
-    for (Index item = 0; item < shape.item_count(); ++item) {
-      if (!items[at(item)]) continue;
+    });
+    items.for_each([&](Index item) {
       const Face corners = shape.corners_of(item);
       const Face face{here[at(corners[0])], here[at(corners[1])], here[at(corners[2])]};
       if (at(item) < shape.mesh.faces().size())
@@ -72,7 +70,7 @@ Mesh Gathered::make_mesh(const BodyList& bodies) {
         edges.push_back({face[0], face[1]});
       else
         points.push_back(face[0]);
-    }
+    });
     motion_kinds_.push_back(member(bodies, id).motion_kind());
   }
   return {static_cast<Index>(vertices_.size()), std::move(faces), edges, std::move(points)};

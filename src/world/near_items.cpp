@@ -17,7 +17,7 @@ namespace {
 /// The nodes that have all their items in a set, each tested when first asked for; items added later do not count.
 class WholeNodes {
  public:
-  WholeNodes(const BoxTree& tree, const ItemSet& near) : tree_(tree), near_(near), answers_(at(tree.node_count())) {}
+  WholeNodes(const BoxTree& tree, const IndexSet& near) : tree_(tree), near_(near), answers_(at(tree.node_count())) {}
 
   bool has(Index node) {
     std::optional<bool>& answer = answers_[at(node)];
@@ -27,16 +27,14 @@ class WholeNodes {
 
  private:
   bool is_whole(Index node) {
+    if (tree_.is_leaf(node)) return near_.has_all(tree_.items_of(node));
     bool has_all = true;
-    if (tree_.is_leaf(node))
-      for (const Index item : tree_.items_of(node)) has_all = has_all && near_[at(item)];
-    else
-      tree_.for_each_child(node, [&](Index child) { has_all = has_all && has(child); });
+    tree_.for_each_child(node, [&](Index child) { has_all = has_all && has(child); });
     return has_all;
   }
 
   const BoxTree& tree_;
-  const ItemSet& near_;
+  const IndexSet& near_;
   std::vector<std::optional<bool>> answers_;
 };
 
@@ -44,7 +42,7 @@ class PairWalk {
  public:
   struct Side {
     BoundsOnPiece& boxes;
-    ItemSet& near;
+    IndexSet& near;
     WholeNodes& whole;
   };
 
@@ -105,9 +103,10 @@ class PairWalk {
     for (std::size_t i = 0; count > 0 && i < items_a.size(); ++i) {
       if (!meet(a.of_item[i], b.all)) continue;
       for (const std::size_t j : std::span(near_b).first(count)) {
-        if (found_ && a_.near[at(items_a[i])] && b_.near[at(items_b[j])]) continue;
+        if (found_ && a_.near.has(items_a[i]) && b_.near.has(items_b[j])) continue;
         if (!meet(a.of_item[i], b.of_item[j])) continue;
-        a_.near[at(items_a[i])] = b_.near[at(items_b[j])] = true;
+        a_.near.add(items_a[i]);
+        b_.near.add(items_b[j]);
         found_ = true;
       }
     }
@@ -128,25 +127,21 @@ bool NearItems::includes(const NearItems& other) const {
   if (!std::ranges::includes(pairs, other.pairs)) return false;
   return std::ranges::all_of(other.of_body, [this](const auto& one) {
     const auto mine = of_body.find(one.first);
-    if (mine == of_body.end()) return false;
-    char missing = 0;
-    for (std::size_t item = 0; item < one.second.size(); ++item)  // without an end before the last: in whole vectors
-      missing |= static_cast<char>(one.second[item] & ~mine->second[item]);
-    return missing == 0;
+    return mine != of_body.end() && mine->second.includes(one.second);
   });
 }
 
 std::size_t NearItems::count() const {
   std::size_t count = 0;
-  for (const auto& [id, set] : of_body) count += static_cast<std::size_t>(std::ranges::count(set, true));
+  for (const auto& [id, set] : of_body) count += set.size();
   return count;
 }
 
 void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs, const NearDistance& distance,
                     std::span<const double> times, const Options& options, NearItems& near) {
   const auto body = [&](BodyId id) -> const Body& { return *bodies[at(id)]; };
-  const auto items_of = [&](BodyId id) -> ItemSet& {
-    return near.of_body.try_emplace(id, at(body(id).shape().item_count())).first->second;
+  const auto items_of = [&](BodyId id) -> IndexSet& {
+    return near.of_body.try_emplace(id, body(id).shape().item_count()).first->second;
   };
   TAMIS_ASSERT(std::ranges::is_sorted(pairs));
   std::map<BodyId, BoundsOnPiece> of_still, of_moving;
@@ -157,7 +152,7 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs, 
     const auto side = [&](BodyId id) {
       auto& bounds = body(id).motion_kind() == MotionKind::still ? of_still : of_moving;
       BoundsOnPiece& boxes = bounds.try_emplace(id, body(id), times[piece], times[piece + 1]).first->second;
-      ItemSet& items = items_of(id);
+      IndexSet& items = items_of(id);
       return PairWalk::Side{boxes, items, whole.try_emplace(id, body(id).shape().tree, items).first->second};
     };
     for (std::size_t i = 0; i < pairs.size(); ++i) {

@@ -6,16 +6,14 @@
 #include <vector>
 
 #include "numerics/held_bytes.hpp"
+#include "world/index_set.hpp"
 #include "world/near_bodies.hpp"
 
 namespace tamis {
 
-/// For each item of a body: is it in the set?
-using ItemSet = std::vector<char>;
-
 /// Items of bodies that may come near others, and the pairs of these bodies.
 struct NearItems {
-  std::map<BodyId, ItemSet> of_body;
+  std::map<BodyId, IndexSet> of_body;
   std::vector<BodyPair> pairs;  ///< of those bodies; ascending
 
   bool includes(const NearItems& other) const;

@@ -22,8 +22,8 @@ from tamis._detector._detector import Detector, contacts
 from tamis._errors import Busy, Cancelled, Error, FileError, InvalidMesh, InvalidOptions, InvalidPath, InvalidStep
 from tamis._files import MeshFile, read_frames, read_mesh, write_mesh
 from tamis._kinds import PairKind
-from tamis._looking import Page
 from tamis._mesh import Mesh
+from tamis._pages import Page
 from tamis._pair_distance import distance_of, safe_step
 from tamis._pairs import PairResult, Pairs, narrow_phase
 from tamis._paths._function_path import FunctionPath

@@ -9,7 +9,7 @@ from tamis import _core
 from tamis._audit._tables import AuditFrame, AuditFrames, AuditPairs, FrameNames, ObjectNames
 from tamis._checks import file_name
 from tamis._errors import Error
-from tamis._looking import Page, place_for_page, show
+from tamis._pages import Page, place_for_page, show
 
 
 class AuditReport:

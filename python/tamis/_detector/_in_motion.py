@@ -8,10 +8,10 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._answers import EarliestContact
-from tamis._looking import Asked
 from tamis._mesh import Mesh
 from tamis._motion import Motion, motion
 from tamis._options import AtStart, query_options
+from tamis._pages import Asked
 from tamis._paths._path import Path
 from tamis._tables._contacts import Contacts
 from tamis._tables._table import bracket_of

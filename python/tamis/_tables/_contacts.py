@@ -13,7 +13,7 @@ from tamis import _core
 from tamis._checks import file_name, instance
 from tamis._errors import Error
 from tamis._kinds import PairKind
-from tamis._looking import Asked, Page, place_for_page, show
+from tamis._pages import Asked, Page, place_for_page, show
 from tamis._tables._columns import MovingPairs, TimedPairs
 from tamis._tables._table import Row
 

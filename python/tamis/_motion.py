@@ -55,7 +55,7 @@ class CurvedMotion:
         return path.corners_at(np.ascontiguousarray(times), np.ascontiguousarray(used)).reshape(*used.shape, 3)
 
 
-Motion = Union[StraightMotion, CurvedMotion]
+AskedMotion = Union[StraightMotion, CurvedMotion]
 
 
 def step_asked(
@@ -74,7 +74,7 @@ def step_asked_to_keep(
     return own, number(keep, "keep"), first, last
 
 
-def motion(start: npt.ArrayLike | Path, end: npt.ArrayLike | None, tolerance: float | None = None) -> Motion:
+def motion(start: npt.ArrayLike | Path, end: npt.ArrayLike | None, tolerance: float | None = None) -> AskedMotion:
     """Return the motion that the user gave: a `Path` as `start`, or both ends of a step, which has no tolerance."""
     if isinstance(start, Path):
         if end is not None:

@@ -19,7 +19,7 @@ from tamis._checks import file_name
 from tamis._errors import Error
 
 if TYPE_CHECKING:
-    from tamis._motion import Motion
+    from tamis._motion import AskedMotion
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Asked:
 
     mesh: _core.Mesh
     options: _core.Options
-    motion: Motion
+    motion: AskedMotion
     own: _core.QueryOptions
 
     def write(self, path: str, contacts: npt.NDArray[np.uint8]) -> None:

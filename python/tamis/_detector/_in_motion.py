@@ -9,7 +9,7 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._answers import EarliestContact
 from tamis._mesh import Mesh
-from tamis._motion import Motion, motion
+from tamis._motion import AskedMotion, motion
 from tamis._options import AtStart, query_options
 from tamis._pages import Asked
 from tamis._paths._path import Path
@@ -86,7 +86,7 @@ class InMotion:
         """
         return self._contacts_of(motion(start, end, tolerance), query_options(min_separation, at_start, tolerance))
 
-    def _contacts_of(self, moving: Motion, own: _core.QueryOptions) -> Contacts:
+    def _contacts_of(self, moving: AskedMotion, own: _core.QueryOptions) -> Contacts:
         """Answer `contacts` for arguments that are already checked."""
         found = self._detector.contacts(own, *moving.native())
         return Contacts(found, Asked(self._mesh._mesh, self._options, moving, own))

@@ -11,7 +11,7 @@ from tamis._arrays import Doubles
 from tamis._checks import instance, number_from_zero
 from tamis._detector._detector import Detector
 from tamis._errors import InvalidOptions, InvalidStep
-from tamis._motion import CurvedMotion, Motion, StraightMotion
+from tamis._motion import AskedMotion, CurvedMotion, StraightMotion
 from tamis._options import query_options
 from tamis._paths._path import Path
 from tamis._tables._near import Intersections
@@ -185,7 +185,7 @@ class Referee:
                     f"plane ends at {self._reach:.6g}: give a larger plane_reach"
                 )
 
-    def _motion(self, start: Doubles) -> Motion:
+    def _motion(self, start: Doubles) -> AskedMotion:
         """Return the motion from the state before to the present one: a step if nothing turns, else a path."""
         path, end = self._places.path(start), self._places.points
         if path is None:

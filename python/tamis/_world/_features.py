@@ -6,26 +6,13 @@ from collections.abc import Mapping, Sequence
 from typing import Union
 
 import numpy as np
-import numpy.typing as npt
 
 from tamis._arrays import Indices
 from tamis._checks import instance
 from tamis._errors import InvalidMesh
-from tamis._kinds import FIRST_COUNTS
 from tamis._mesh import Mesh
 
 Meshes = Union[Mapping[int, Mesh], Sequence[Mesh]]
-
-_NONE = -1  # no vertex, or no place
-
-
-def both_features(kinds: npt.NDArray[np.uint8], vertices: Indices) -> tuple[Indices, Indices]:
-    """Return the vertices of each pair's first and second feature, shape (n, 3) each; unused entries are `_NONE`."""
-    of_first = FIRST_COUNTS[kinds][:, np.newaxis]
-    corners = np.arange(3)
-    padded = np.pad(vertices, ((0, 0), (0, 1)), constant_values=_NONE)
-    second = np.take_along_axis(padded, of_first + corners, 1)
-    return np.where(corners < of_first, vertices[:, :3], _NONE), second
 
 
 def places_of(features: Indices, bodies: Indices, meshes: Meshes) -> Indices:
@@ -44,7 +31,7 @@ def _of_one_body(features: Indices, body: int, meshes: Meshes) -> Indices:
     except (KeyError, IndexError, TypeError):
         raise InvalidMesh(f"meshes has none for body {body}: give the mesh of each body that is in the table") from None
     mesh = instance(given, Mesh, f"meshes[{body}]", "a tamis.Mesh, such as Shape.mesh", InvalidMesh)
-    places = np.where(features[:, 0] < mesh.vertex_count, features[:, 0], _NONE)
+    places = np.where(features[:, 0] < mesh.vertex_count, features[:, 0], -1)
     counts = (features >= 0).sum(1)
     for count, find in ((2, mesh.find_edges), (3, mesh.find_faces)):
         rows = counts == count

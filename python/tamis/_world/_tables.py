@@ -13,12 +13,12 @@ from tamis import _core
 from tamis._arrays import Doubles, Indices
 from tamis._checks import file_name
 from tamis._errors import Error
-from tamis._kinds import PairKind
+from tamis._kinds import PairKind, both_features
 from tamis._tables._columns import Columns, FeaturePairs, numbered
 from tamis._tables._contacts import TouchingPairs
 from tamis._tables._near import ClosePairs, CrossingPairs
 from tamis._tables._table import Column, Row, Table
-from tamis._world._features import Meshes, both_features, places_of
+from tamis._world._features import Meshes, places_of
 
 if TYPE_CHECKING:
     BodyPair = tuple[int, int]

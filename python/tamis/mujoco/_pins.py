@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis._arrays import Indices
-from tamis._kinds import FIRST_COUNTS
+from tamis._kinds import both_features
 from tamis._tables._contacts import Contacts
 from tamis._tables._near import Intersections
 from tamis.mujoco._surfaces import Surface
@@ -41,9 +41,7 @@ class Pins:
         """Return the contacts without pairs that MuJoCo lets pass."""
         if not self._has_some or not len(found):
             return found
-        is_first = np.arange(4) < FIRST_COUNTS[found.kind][:, np.newaxis]
-        first, second = (np.where(which, found.vertices, -1) for which in (is_first, ~is_first))
-        return found[~self._are_pinned(first, second)]
+        return found[~self._are_pinned(*both_features(found.kind, found.vertices))]
 
     def without_intersections(self, found: Intersections) -> Intersections:
         """Return the intersections without pairs that MuJoCo lets pass."""

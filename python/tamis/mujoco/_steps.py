@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from tamis._arrays import Indices
-from tamis._kinds import FIRST_COUNTS
+from tamis._kinds import both_features
 from tamis._tables._contacts import Contacts
 
 if TYPE_CHECKING:
@@ -119,8 +119,7 @@ def meetings_of(
     """Gather contacts by pairs of surfaces; `span` holds the simulated times of both ends of the step."""
     if not len(contacts):
         return []
-    second = contacts.vertices[np.arange(len(contacts)), FIRST_COUNTS[contacts.kind]]
-    both = np.column_stack([groups[contacts.vertices[:, 0]], groups[second]])
+    both = np.column_stack([groups[vertices[:, 0]] for vertices in both_features(contacts.kind, contacts.vertices)])
     meetings = []
     for first, second in np.unique(np.sort(both, axis=1), axis=0).tolist():
         own = contacts[(np.sort(both, axis=1) == [first, second]).all(axis=1)]

@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from tamis._checks import shown
 from tamis._errors import Error, InvalidStep
+from tamis._kinds import PairKind
 
 Doubles = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.int32]
@@ -144,6 +145,7 @@ def pair_list(kind: npt.ArrayLike, vertices: npt.ArrayLike, error: type[Error]) 
         kinds = indices(kinds, 0, "kind", error)
     if len(kinds) not in (1, len(given)):
         raise error(f"kind has {len(kinds)} entries, vertices {len(given)} rows: give as many, or one kind for all")
-    if kinds.max(initial=0) > 3 or kinds.min(initial=0) < 0:
-        raise error(f"kind holds {kinds[(kinds < 0) | (kinds > 3)][0]}, which is no kind of pair: give a PairKind")
+    wrong = (kinds < 0) | (kinds >= len(PairKind))
+    if wrong.any():
+        raise error(f"kind holds {kinds[wrong][0]}, which is no kind of pair: give a PairKind")
     return np.ascontiguousarray(np.broadcast_to(kinds, len(given)), dtype=np.uint8), given

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._arrays import Doubles, Indices
 from tamis._checks import instance
-from tamis._kinds import SHORT_NAMES
+from tamis._kinds import SHORT_NAMES, PairKind
 from tamis._tables._columns import Columns, numbered
 from tamis._tables._table import Column, Table
 
@@ -22,11 +22,11 @@ Counts = npt.NDArray[np.uint64]
 class AuditKind(enum.IntEnum):
     """Kinds of pairs in a report: those of `PairKind` for contacts, and EDGE_FACE for intersections."""
 
-    VERTEX_FACE = 0
-    EDGE_EDGE = 1
-    VERTEX_EDGE = 2
-    VERTEX_VERTEX = 3
-    EDGE_FACE = 4
+    VERTEX_FACE = PairKind.VERTEX_FACE.value
+    EDGE_EDGE = PairKind.EDGE_EDGE.value
+    VERTEX_EDGE = PairKind.VERTEX_EDGE.value
+    VERTEX_VERTEX = PairKind.VERTEX_VERTEX.value
+    EDGE_FACE = len(PairKind)
 
     @property
     def short_name(self) -> str:
@@ -248,10 +248,9 @@ class AuditFrames(Table[AuditFrame]):
         return {"frame": self.frame, "name": np.array(self.names, dtype=object), **columns, **kinds, **rest}
 
     def _row(self, values: Any, index: int) -> AuditFrame:
-        frame, is_usable, has_step, counts, neighbours, toi_lower, toi_upper = values
-        contacts, intersections = sum(counts.tolist()[:4]), counts.tolist()[4]
-        name = self._names.of(frame)
-        return AuditFrame(frame, name, is_usable, has_step, intersections, contacts, neighbours, toi_lower, toi_upper)
+        frame, is_usable, has_step, counts, *rest = values
+        *contacts, intersections = counts.tolist()
+        return AuditFrame(frame, self._names.of(frame), is_usable, has_step, intersections, sum(contacts), *rest)
 
     def _part(self, table: npt.NDArray[np.void], index: Any) -> AuditFrames:
         return AuditFrames(table, self._names)

@@ -4,17 +4,13 @@
 >>> mujoco.mj_step(model, data)
 >>> step = referee.check()
 
-It needs one version of the package `mujoco` (`_version.WRITTEN_FOR`): ``pip install '.[mujoco]'`` in the clone.
+It needs one version of the package `mujoco` (``pip install '.[mujoco]'`` in the clone); the import fails without it.
 """
 
-from tamis.mujoco._version import WRITTEN_FOR, complaint
+from tamis._versions import complaint
 
-try:
-    import mujoco as _mujoco
-except ImportError:
-    raise ImportError(f"MuJoCo is not installed: pip install mujoco=={WRITTEN_FOR}") from None
-if complaint(_mujoco.__version__):
-    raise ImportError(complaint(_mujoco.__version__))
+if _refused := complaint(["mujoco"], "tamis.mujoco proves the motion of"):
+    raise ImportError(_refused)
 
 from tamis.mujoco._referee import Referee
 from tamis.mujoco._steps import Meeting, RefereedStep, RefereeReport

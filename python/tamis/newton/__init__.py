@@ -11,8 +11,13 @@
 
 The straight motion of every step, from the floats that it starts with to the floats that it ends with, is then free of
 contacts, proven. No buffer sizes need be chosen. Needs `newton` and `warp-lang` in the versions of
-``pip install '.[newton]'`` in the clone.
+``pip install '.[newton]'`` in the clone, as the functions that it replaces are private; the import fails without them.
 """
+
+from tamis._versions import complaint
+
+if _refused := complaint(["newton", "warp-lang"], "tamis.newton knows the inside of"):
+    raise ImportError(_refused)
 
 from tamis.newton._attachment import Attachment, attach
 from tamis.newton._report import AttachmentReport

@@ -13,7 +13,6 @@ from tamis._errors import InvalidOptions
 from tamis.newton._contact_lists import ContactLists
 from tamis.newton._report import AttachmentReport
 from tamis.newton._surface import Surface
-from tamis.newton._versions import check_versions
 
 
 def attach(
@@ -43,13 +42,10 @@ def attach(
 
     Raises
     ------
-    Error
-        newton or warp-lang is not installed, or has another version than the supported one.
     InvalidOptions
         An option outside its range; `solver` is no SolverVBD, has no self-contact, has a collision pipeline or an
         attachment, or truncates rigid bodies, too.
     """
-    check_versions()
     _check_solver(solver)
     if not 0 < number(keep, "keep") < 1:
         raise InvalidOptions(f"keep is {keep}: give a number > 0 and < 1")

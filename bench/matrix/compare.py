@@ -21,7 +21,6 @@ import collections
 import csv
 import fnmatch
 import json
-import math
 import select
 import signal
 import statistics
@@ -122,10 +121,6 @@ def boxes(answer):
     return answer["counts"].get("boxes", "")
 
 
-def geometric_mean(values):
-    return math.exp(sum(map(math.log, values)) / len(values))
-
-
 def number(value):
     return f"{value:.4g}" if isinstance(value, float) else str(value)
 
@@ -133,7 +128,7 @@ def number(value):
 def print_group(title, ratios):
     print(f"{title:24} {len(ratios):6} cells, {sum(ratio < 1 for ratio in ratios):6} slower, "
           f"{sum(ratio < 0.95 for ratio in ratios):6} by more than 5%, worst {min(ratios):.3f}, "
-          f"geometric mean {geometric_mean(ratios):.3f}")
+          f"geometric mean {statistics.geometric_mean(ratios):.3f}")
 
 
 def print_table(rows, sweep):
@@ -168,7 +163,7 @@ def print_earliest_by_contacts(rows):
     if ratios:
         print(f"earliest by contacts     {len(ratios):6} cells, {sum(ratio > 1.1 for ratio, _ in ratios):6} above 1.1, "
               f"most {ratios[-1][0]:.3f} of {ratios[-1][1]}, geometric mean "
-              f"{geometric_mean([ratio for ratio, _ in ratios]):.3f}")
+              f"{statistics.geometric_mean([ratio for ratio, _ in ratios]):.3f}")
 
 
 def list_cells(program, part, patterns):

@@ -7,6 +7,7 @@ scale: how many times as fast as the old build the new one is, as the geometric 
 import csv
 import math
 import sys
+from statistics import geometric_mean
 
 import matplotlib
 
@@ -31,15 +32,11 @@ def rows_of(path):
                          "separation": separation, "ratio": float(row["ratio"])}
 
 
-def geometric_mean(rows):
-    return math.exp(sum(math.log(row["ratio"]) for row in rows) / len(rows))
-
-
 def squares(rows, scenes):
     """Return the ratios of one instruction set: a line a scene, a column a scale; NaN where no cell was asked."""
     of_step = {}
     for row in rows:
-        of_step.setdefault((row["scene"], row["scale"]), []).append(row)
+        of_step.setdefault((row["scene"], row["scale"]), []).append(row["ratio"])
     return [[geometric_mean(of_step[scene, scale]) if (scene, scale) in of_step else math.nan for scale in SCALES]
             for scene in scenes]
 
@@ -85,9 +82,9 @@ def print_table(rows):
         ratios = [row["ratio"] for row in groups.get(group, [])]
         if ratios:
             print(f"| {name} | {len(ratios)} | {sum(r < 0.95 for r in ratios)} | {min(ratios):.2f} | "
-                  f"{geometric_mean(groups[group]):.2f} |")
+                  f"{geometric_mean(ratios):.2f} |")
     for isa in dict.fromkeys(ISAS.values()):
-        long = [row for row in groups.get(isa, []) if float(row["old_ms"]) > 1]
+        long = [row["ratio"] for row in groups.get(isa, []) if float(row["old_ms"]) > 1]
         if long:
             print(f"{isa}, above a millisecond before: {geometric_mean(long):.1f}")
 

@@ -73,7 +73,8 @@ def glow(contacts_path, vertex_count, faces):
     return heat
 
 
-def largest_component(vertex_count, faces):
+def components(vertex_count, faces):
+    """Return the smallest vertex of each vertex' connected component."""
     label = np.arange(vertex_count)
     while True:
         lowest = label[faces].min(axis=1)
@@ -82,8 +83,12 @@ def largest_component(vertex_count, faces):
             np.minimum.at(new, faces[:, i], lowest)
         new = new[new]
         if (new == label).all():
-            break
+            return label
         label = new
+
+
+def largest_component(vertex_count, faces):
+    label = components(vertex_count, faces)
     return label == np.bincount(label).argmax()
 
 
@@ -119,6 +124,14 @@ def pov_scene(points, faces, heat, is_cloth, yaw, pitch, aspect):
         faces=f"{len(faces)}," + face_rows)
 
 
+def run_povray(scene, picture, width, height, *options):
+    with tempfile.TemporaryDirectory() as folder:
+        source = pathlib.Path(folder) / "scene.pov"
+        source.write_text(scene)
+        subprocess.run(["povray", f"+I{source}", f"+O{picture}", f"+W{width}", f"+H{height}", "-D", "-GA", *options],
+                       check=True, capture_output=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("mesh")
@@ -133,11 +146,7 @@ def main():
     points, faces = read_ply(arguments.mesh)
     scene = pov_scene(points, faces, glow(arguments.contacts, len(points), faces), largest_component(len(points), faces),
                       np.radians(arguments.yaw), np.radians(arguments.pitch), width / height)
-    with tempfile.TemporaryDirectory() as folder:
-        path = pathlib.Path(folder) / "scene.pov"
-        path.write_text(scene)
-        subprocess.run(["povray", f"+I{path}", f"+O{arguments.out}", f"+W{width}", f"+H{height}", "+A0.1", "-D", "-GA", "-V"],
-                       check=True, capture_output=True)
+    run_povray(scene, arguments.out, width, height, "+A0.1", "-V")
 
 
 if __name__ == "__main__":

@@ -2,32 +2,22 @@
 """Renders frames of `tamis scene` to pictures with POV-Ray.
 
 usage: render_scene.py FRAME.ply PICTURE.png --from X Y Z [--at X Y Z] [--angle DEGREES] [--up y|z] [--clear N ...]
-Needs the Debian packages povray, python3-numpy and python3-scipy. Connected objects are numbered from 0 in the order of
+Needs the Debian packages povray and python3-numpy. Connected objects are numbered from 0 in the order of
 their first vertices; each gets a colour of its own. --clear draws the objects with these numbers as glass, --hide
 leaves them out.
 """
 import argparse
-import os
-import subprocess
-import tempfile
 
 import numpy
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
-from render import read_ply, vertex_normals
+from render import components, read_ply, run_povray, vertex_normals
 
 COLOURS = [(0.75, 0.22, 0.17), (0.30, 0.45, 0.62), (0.85, 0.72, 0.45), (0.42, 0.58, 0.36), (0.55, 0.45, 0.60)]
 
 
 def objects_of(positions, faces):
     """Return the number of the object that each face belongs to; objects are numbered by first vertex."""
-    ends = numpy.concatenate([faces[:, [0, 1]], faces[:, [1, 2]]])
-    graph = coo_matrix((numpy.ones(len(ends)), ends.T), shape=(len(positions),) * 2)
-    label = connected_components(graph, directed=False)[1][faces[:, 0]]
-    first = {l: faces[label == l].min() for l in set(label)}
-    rank = {l: i for i, l in enumerate(sorted(first, key=first.get))}
-    return numpy.array([rank[l] for l in label])
+    return numpy.unique(components(len(positions), faces)[faces[:, 0]], return_inverse=True)[1]
 
 
 def vectors(rows):
@@ -78,13 +68,7 @@ def main():
     parser.add_argument("--hide", type=int, nargs="*", default=[])
     parser.add_argument("--size", type=int, nargs=2, default=[640, 480])
     arguments = parser.parse_args()
-    with tempfile.TemporaryDirectory() as folder:
-        source = os.path.join(folder, "scene.pov")
-        with open(source, "w") as pov:
-            pov.write(scene_text(arguments))
-        width, height = arguments.size
-        subprocess.run(["povray", f"+I{source}", f"+O{arguments.picture}", f"+W{width}", f"+H{height}", "+A0.2", "-D",
-                        "-GA"], check=True, stderr=subprocess.DEVNULL)
+    run_povray(scene_text(arguments), arguments.picture, *arguments.size, "+A0.2")
 
 
 if __name__ == "__main__":

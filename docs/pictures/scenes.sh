@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # scenes.sh FOLDER: makes the pictures of docs/scenes.md. FOLDER has the frames of airbag, cloth-ball, funnel, funnel-92k and
-# bunny, each in a folder of its own. Needs POV-Ray, NumPy, SciPy and ImageMagick (Debian: povray, python3-numpy,
-# python3-scipy, imagemagick).
+# bunny, each in a folder of its own. Needs POV-Ray, NumPy and ImageMagick (Debian: povray, python3-numpy, imagemagick).
 set -euo pipefail
 frames=$1
 here=$(cd "$(dirname "$0")" && pwd)

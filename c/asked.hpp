@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "c/answers.hpp"
-#include "c/failure.hpp"
+#include "c/handle.hpp"
 #include "c/sized.hpp"
 #include "tamis/busy_guard.hpp"
 #include "tamis/options.hpp"
@@ -15,9 +15,7 @@ namespace tamis::c {
 /// The handle of a detector or world, and its last answers. `contacts` is empty unless the last question about motion
 /// was for contacts or the earliest one.
 template <class Asked, class ContactRow, class NearRow, class IntersectionRow>
-struct AskedHandle {
-  Outcome outcome;
-  std::optional<Asked> asked;  ///< none if it could not be made
+struct AskedHandle : Handle<std::optional<Asked>> {
   std::atomic_flag is_asked;
   std::vector<ContactRow> contacts;
   std::vector<NearRow> near;
@@ -26,13 +24,12 @@ struct AskedHandle {
 };
 
 /// Runs `work(handle)`, unless another call with the handle is running: that call keeps the handle's outcome.
-template <class Handle, class Work>
-tamis_status with(Handle* handle, const Work& work) noexcept {
+template <class AnyHandle, class Work>
+tamis_status with(AnyHandle* handle, const Work& work) noexcept {
   if (!handle) return TAMIS_INVALID_ARGUMENT;
   try {
     const BusyGuard guard(handle->is_asked);
-    if (!handle->asked) return handle->outcome.status();  // it keeps the message that says why
-    return attempt(handle->outcome, [&] { work(*handle); });
+    return with_object(handle, [&](auto&) { work(*handle); });
   } catch (const Busy&) {
     return TAMIS_BUSY;
   }
@@ -54,8 +51,8 @@ struct FirstTimes {
   double *toi_lower, *toi_upper;
   std::size_t* count;
 
-  template <class Handle, class Earliest>
-  void write(Handle& handle, const Earliest& first) const {
+  template <class AnyHandle, class Earliest>
+  void write(AnyHandle& handle, const Earliest& first) const {
     if (first.contact) handle.contacts.push_back(*first.contact);
     *toi_lower = first.toi_lower;
     *toi_upper = first.toi_upper;
@@ -85,32 +82,33 @@ void copy_rows(const std::vector<Row>& rows, const Convert& convert, const Desti
   for (std::size_t i = 0; i < to.count; ++i) write_element(convert(rows[to.first + i]), to.array, i, to.element_size);
 }
 
-template <class Handle>
-tamis_status copy_contacts(Handle* handle, const Destination& to) noexcept {
-  return with(handle, [&](Handle& h) {
+template <class AnyHandle>
+tamis_status copy_contacts(AnyHandle* handle, const Destination& to) noexcept {
+  return with(handle, [&](AnyHandle& h) {
     copy_rows(
         h.contacts, [](const auto& row) { return contact_of(row); }, to, "contacts");
   });
 }
-template <class Handle>
-tamis_status copy_near(Handle* handle, const Destination& to) noexcept {
-  return with(handle, [&](Handle& h) {
+template <class AnyHandle>
+tamis_status copy_near(AnyHandle* handle, const Destination& to) noexcept {
+  return with(handle, [&](AnyHandle& h) {
     copy_rows(
         h.near, [](const auto& row) { return near_pair_of(row); }, to, "pairs");
   });
 }
-template <class Handle>
-tamis_status copy_intersections(Handle* handle, const Destination& to) noexcept {
-  return with(handle, [&](Handle& h) {
+template <class AnyHandle>
+tamis_status copy_intersections(AnyHandle* handle, const Destination& to) noexcept {
+  return with(handle, [&](AnyHandle& h) {
     copy_rows(
         h.intersections, [](const auto& row) { return intersection_of(row); }, to, "intersections");
   });
 }
 
-template <class Handle>
-tamis_status copy_statistics(Handle* handle, tamis_statistics* to) noexcept {
-  return with(handle,
-              [&](Handle& h) { write_sized(statistics_of(h.asked->statistics(), h.stage_names), to, "statistics"); });
+template <class AnyHandle>
+tamis_status copy_statistics(AnyHandle* handle, tamis_statistics* to) noexcept {
+  return with(handle, [&](AnyHandle& h) {
+    write_sized(statistics_of(h.object->statistics(), h.stage_names), to, "statistics");
+  });
 }
 
 }  // namespace tamis::c

@@ -21,22 +21,20 @@ tamis::Stored known_stored(int32_t stored) {
 
 tamis_status tamis_detector_create(const tamis_mesh* mesh, const tamis_options* options, tamis_detector** detector) {
   return make_handle(detector, [&](tamis_detector& handle) {
-    const tamis::Mesh& of = made(mesh);
+    const auto& of = made<tamis::InvalidMesh>(mesh, "mesh");
     const auto given = options ? read_sized(options, "options") : tamis_options{};
-    handle.asked.emplace(of, options_of(given, of.vertex_count()));
+    handle.object.emplace(of, options_of(given, of.vertex_count()));
   });
 }
 
 void tamis_detector_free(tamis_detector* detector) { delete detector; }
 
-const char* tamis_detector_message(const tamis_detector* detector) {
-  return detector ? detector->outcome.message() : "";
-}
+const char* tamis_detector_message(const tamis_detector* detector) { return message_of(detector); }
 
 tamis_status tamis_detector_contacts(tamis_detector* detector, const tamis_step* step, size_t* count) {
   return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, const tamis::QueryOptions& q) {
     size_t& number = required(count, "count");
-    handle.asked->contacts(s, handle.contacts, q);
+    handle.object->contacts(s, handle.contacts, q);
     number = handle.contacts.size();
   });
 }
@@ -45,13 +43,13 @@ tamis_status tamis_detector_earliest(tamis_detector* detector, const tamis_step*
                                      double* toi_upper, size_t* count) {
   return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, const tamis::QueryOptions& q) {
     const FirstTimes times = first_times(toi_lower, toi_upper, count);
-    times.write(handle, handle.asked->earliest(s, q));
+    times.write(handle, handle.object->earliest(s, q));
   });
 }
 
 tamis_status tamis_detector_is_free(tamis_detector* detector, const tamis_step* step, int* is_free) {
   return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, const tamis::QueryOptions& q) {
-    required(is_free, "is_free") = handle.asked->is_free(s, q) ? 1 : 0;
+    required(is_free, "is_free") = handle.object->is_free(s, q) ? 1 : 0;
   });
 }
 
@@ -59,7 +57,7 @@ tamis_status tamis_detector_safe_step(tamis_detector* detector, const tamis_step
                                       tamis_safe_step* answer) {
   return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, const tamis::QueryOptions& q) {
     write_sized(tamis_safe_step{}, answer, "answer");  // refuses a bad `answer` before the work
-    write_sized(answer_of(handle.asked->safe_step(s, keep, q)), answer, "answer");
+    write_sized(answer_of(handle.object->safe_step(s, keep, q)), answer, "answer");
   });
 }
 
@@ -68,7 +66,7 @@ tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step*
   return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, const tamis::QueryOptions& q) {
     double& first = required(positions, "positions");
     int& free = required(is_free, "is_free");
-    const tamis::TruncatedStep reached = handle.asked->truncate(s, keep, q, known_stored(stored));
+    const tamis::TruncatedStep reached = handle.object->truncate(s, keep, q, known_stored(stored));
     copy_points(reached.positions, &first);
     if (fractions) std::copy(reached.fractions.begin(), reached.fractions.end(), fractions);
     free = reached.is_free ? 1 : 0;

@@ -91,15 +91,6 @@ tamis_status attempt(Outcome& outcome, const Work& work) noexcept {
   return outcome.status();
 }
 
-/// Makes a handle, then `fill`s it. A handle that could not be filled remains, so that its message can be read.
-template <class Handle, class Fill>
-tamis_status make_handle(Handle** handle, const Fill& fill) noexcept {
-  if (!handle) return TAMIS_INVALID_ARGUMENT;
-  *handle = new (std::nothrow) Handle;
-  if (!*handle) return TAMIS_OUT_OF_MEMORY;
-  return attempt((*handle)->outcome, [&] { fill(**handle); });
-}
-
 template <class T>
 T& required(T* pointer, const char* name) {
   if (!pointer) throw InvalidArgument(std::string(name) + " is NULL: give a pointer");

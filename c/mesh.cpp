@@ -38,19 +38,11 @@ const int32_t* first_index(std::span<const Row> rows, std::size_t* count) {
   return rows.empty() ? nullptr : reinterpret_cast<const int32_t*>(rows.data());
 }
 
-/// Runs `work(mesh)`, unless the mesh could not be made: then the handle keeps the message that says why.
-template <class Work>
-tamis_status with_mesh(tamis_mesh* handle, const Work& work) noexcept {
-  if (!handle) return TAMIS_INVALID_ARGUMENT;
-  if (!handle->mesh) return handle->outcome.status();
-  return attempt(handle->outcome, [&] { work(*handle->mesh); });
-}
-
 /// Writes the place of each row, which `place_of` finds.
 template <class Row, class PlaceOf>
 tamis_status find(tamis_mesh* handle, const int32_t* indices, std::size_t count, int32_t* places,
                   const PlaceOf& place_of) noexcept {
-  return with_mesh(handle, [&](const Mesh& mesh) {
+  return with_object(handle, [&](const Mesh& mesh) {
     const std::vector<Row> asked = rows<Row>(indices, count, "rows");
     if (count > 0) required(places, "places");
     std::transform(asked.begin(), asked.end(), places, [&](const Row& row) { return place_of(mesh, row); });
@@ -63,24 +55,24 @@ tamis_status find(tamis_mesh* handle, const int32_t* indices, std::size_t count,
 using namespace tamis::c;
 
 tamis_status tamis_mesh_create(const tamis_mesh_input* input, tamis_mesh** mesh) {
-  return make_handle(mesh, [&](tamis_mesh& handle) { handle.mesh.emplace(make_mesh(read_sized(input, "input"))); });
+  return make_handle(mesh, [&](tamis_mesh& handle) { handle.object.emplace(make_mesh(read_sized(input, "input"))); });
 }
 
 void tamis_mesh_free(tamis_mesh* mesh) { delete mesh; }
 
-const char* tamis_mesh_message(const tamis_mesh* mesh) { return mesh ? mesh->outcome.message() : ""; }
+const char* tamis_mesh_message(const tamis_mesh* mesh) { return message_of(mesh); }
 
 const int32_t* tamis_mesh_edges(const tamis_mesh* mesh, size_t* count) {
-  return first_index(mesh && mesh->mesh ? mesh->mesh->edges() : std::span<const tamis::Edge>(), count);
+  return first_index(mesh && mesh->object ? mesh->object->edges() : std::span<const tamis::Edge>(), count);
 }
 
 const int32_t* tamis_mesh_points(const tamis_mesh* mesh, size_t* count) {
-  return first_index(mesh && mesh->mesh ? mesh->mesh->points() : std::span<const tamis::Index>(), count);
+  return first_index(mesh && mesh->object ? mesh->object->points() : std::span<const tamis::Index>(), count);
 }
 
 tamis_status tamis_mesh_features_of(tamis_mesh* mesh, int32_t kind, const int32_t* vertices, int32_t* first,
                                     int32_t* second) {
-  return with_mesh(mesh, [&](const tamis::Mesh& made) {
+  return with_object(mesh, [&](const tamis::Mesh& made) {
     std::array<tamis::Index, 4> given;
     std::copy_n(&required(vertices, "vertices"), 4, given.begin());
     int32_t &one = required(first, "first"), &other = required(second, "second");

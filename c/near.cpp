@@ -20,7 +20,7 @@ tamis_status tamis_detector_pairs_within(tamis_detector* detector, const tamis_s
   return with(detector, [&](tamis_detector& handle) {
     handle.near.clear();
     size_t& number = required(count, "count");
-    handle.near = handle.asked->pairs_within(start_of(step), distance);
+    handle.near = handle.object->pairs_within(start_of(step), distance);
     number = handle.near.size();
   });
 }
@@ -29,14 +29,14 @@ tamis_status tamis_detector_intersections(tamis_detector* detector, const tamis_
   return with(detector, [&](tamis_detector& handle) {
     handle.intersections.clear();
     size_t& number = required(count, "count");
-    handle.intersections = handle.asked->intersections(start_of(step));
+    handle.intersections = handle.object->intersections(start_of(step));
     number = handle.intersections.size();
   });
 }
 
 tamis_status tamis_detector_has_intersection(tamis_detector* detector, const tamis_step* step, int* has_intersection) {
   return with(detector, [&](tamis_detector& handle) {
-    required(has_intersection, "has_intersection") = handle.asked->has_intersection(start_of(step)) ? 1 : 0;
+    required(has_intersection, "has_intersection") = handle.object->has_intersection(start_of(step)) ? 1 : 0;
   });
 }
 

@@ -25,7 +25,7 @@ using namespace tamis::c;
 
 tamis_status tamis_distances_of(tamis_pairs* pairs, const tamis_pair* list, size_t count, const tamis_step* step,
                                 tamis_near_pair* answers, size_t answer_size) {
-  return ask(pairs, [&](tamis_pairs&) {
+  return with_object(pairs, [&](const tamis::PairOptions&) {
     const tamis_step given = read_sized(step, "step");
     const tamis::Positions at = positions(given.start, given.vertex_count, given.start_stride, "start");
     const auto listed = list_of(list, count);
@@ -39,12 +39,10 @@ tamis_status tamis_distances_of(tamis_pairs* pairs, const tamis_pair* list, size
 
 tamis_status tamis_pair_safe_step(tamis_pairs* pairs, const tamis_pair* pair, const tamis_step* step, double keep,
                                   tamis_safe_step* answer) {
-  return ask(pairs, [&](tamis_pairs& handle) {
+  return with_object(pairs, [&](const tamis::PairOptions& own) {
     write_sized(tamis_safe_step{}, answer, "answer");  // refuses a bad `answer` before the work
     const tamis_step given = read_sized(step, "step");
-    refuse_at_start(given);
-    tamis::PairOptions options = handle.options;
-    if (given.min_separation) options.min_separation = *given.min_separation;
+    const tamis::PairOptions options = options_for(given, own);
     const tamis::Pair asked = pair_of(required(pair, "pair"));
     write_sized(answer_of(tamis::safe_step(asked, step_of(given), keep, options)), answer, "answer");
   });

@@ -17,11 +17,11 @@ std::span<const Point> points_of(const double* rows, std::size_t count, const ch
 template <PairKind kind, std::size_t corners>
 tamis_status ask_about(tamis_pairs* pairs, std::size_t count, const double* start, const double* end,
                        tamis_pair_result* results, std::size_t result_size) noexcept {
-  return ask(pairs, [&](tamis_pairs& handle) {
+  return with_object(pairs, [&](const PairOptions& options) {
     check_count(count, "count");
     std::vector<PairResult> answers(count);
     narrow_phase(kind, points_of(start, corners * count, "start"), points_of(end, corners * count, "end"), answers,
-                 handle.options);
+                 options);
     write_results(answers, results, result_size);
   });
 }
@@ -33,15 +33,15 @@ using namespace tamis::c;
 
 tamis_status tamis_pairs_create(const tamis_pair_options* options, tamis_pairs** pairs) {
   return make_handle(pairs, [&](tamis_pairs& handle) {
-    if (options) handle.options = options_of(read_sized(options, "options"));
-    tamis::narrow_phase({}, tamis::Step{}, {}, handle.options);  // refuses options out of range
-    handle.is_made = true;
+    const auto chosen = options ? options_of(read_sized(options, "options")) : tamis::PairOptions{};
+    tamis::narrow_phase({}, tamis::Step{}, {}, chosen);  // refuses options out of range
+    handle.object = chosen;
   });
 }
 
 void tamis_pairs_free(tamis_pairs* pairs) { delete pairs; }
 
-const char* tamis_pairs_message(const tamis_pairs* pairs) { return pairs ? pairs->outcome.message() : ""; }
+const char* tamis_pairs_message(const tamis_pairs* pairs) { return message_of(pairs); }
 
 tamis_status tamis_vertex_face(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                                tamis_pair_result* results, size_t result_size) {
@@ -65,11 +65,9 @@ tamis_status tamis_vertex_vertex(tamis_pairs* pairs, size_t count, const double*
 
 tamis_status tamis_narrow_phase(tamis_pairs* pairs, const tamis_pair* list, size_t count, const tamis_step* step,
                                 tamis_pair_result* results, size_t result_size) {
-  return ask(pairs, [&](tamis_pairs& handle) {
+  return with_object(pairs, [&](const tamis::PairOptions& own) {
     const tamis_step given = read_sized(step, "step");
-    refuse_at_start(given);
-    tamis::PairOptions options = handle.options;
-    if (given.min_separation) options.min_separation = *given.min_separation;
+    const tamis::PairOptions options = options_for(given, own);
     const auto listed = list_of(list, count);
     write_results(tamis::narrow_phase(listed, step_of(given), options), results, result_size);
   });

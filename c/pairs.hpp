@@ -1,25 +1,26 @@
-// The handle of single pairs and lists of them, and the common part of all calls with it.
+// The handle of single pairs and lists of them, which keeps their options, and the common part of all calls with it.
 #pragma once
 #include <algorithm>
+#include <optional>
 #include <vector>
 
+#include "c/handle.hpp"
 #include "c/sized.hpp"
+#include "c/step.hpp"
 #include "tamis/pair.hpp"
 
-struct tamis_pairs {
-  tamis::c::Outcome outcome;
-  tamis::PairOptions options;
-  bool is_made = false;
-};
+struct tamis_pairs : tamis::c::Handle<std::optional<tamis::PairOptions>> {};
 
 namespace tamis::c {
 
-/// Runs `work(handle)`, unless the handle could not be made: then it keeps the message that says why.
-template <class Work>
-tamis_status ask(tamis_pairs* pairs, const Work& work) noexcept {
-  if (!pairs) return TAMIS_INVALID_ARGUMENT;
-  if (!pairs->is_made) return pairs->outcome.status();
-  return attempt(pairs->outcome, [&] { work(*pairs); });
+/// The options of a call with a step, whose separation is used in place of the handle's. Pairs that touch at t=0 are
+/// reported, without a choice.
+inline PairOptions options_for(const tamis_step& given, PairOptions options) {
+  if (given.at_start != TAMIS_REPORT)
+    throw InvalidOptions("at_start is " + std::to_string(given.at_start) +
+                         ": it is for questions to a detector, leave it 0 for pairs by themselves");
+  if (given.min_separation) options.min_separation = *given.min_separation;
+  return options;
 }
 
 inline Pair pair_of(const tamis_pair& given) {

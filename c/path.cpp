@@ -61,7 +61,7 @@ std::vector<std::vector<Point>> frames_of(const tamis_spline_path_input& input) 
 template <class Spline>
 tamis_status create_spline(const tamis_spline_path_input* input, tamis_path** path) noexcept {
   return make_handle(path, [&](tamis_path& handle) {
-    handle.path = std::make_unique<const Spline>(frames_of(read_sized(input, "input")));
+    handle.object = std::make_unique<const Spline>(frames_of(read_sized(input, "input")));
   });
 }
 
@@ -164,7 +164,7 @@ tamis_status tamis_pose_of_matrix(const double* rows, const double* position, ta
 
 tamis_status tamis_rigid_path_create(const tamis_rigid_path_input* input, tamis_path** path) {
   return make_handle(path, [&](tamis_path& handle) {
-    handle.path = std::make_unique<const tamis::RigidPath>(rigid_path_of(read_sized(input, "input")));
+    handle.object = std::make_unique<const tamis::RigidPath>(rigid_path_of(read_sized(input, "input")));
   });
 }
 
@@ -178,10 +178,10 @@ tamis_status tamis_catmull_rom_path_create(const tamis_spline_path_input* input,
 
 tamis_status tamis_function_path_create(const tamis_path_functions* functions, tamis_path** path) {
   return make_handle(path, [&](tamis_path& handle) {
-    handle.path = std::make_unique<const FunctionPath>(read_sized(functions, "functions"));
+    handle.object = std::make_unique<const FunctionPath>(read_sized(functions, "functions"));
   });
 }
 
 void tamis_path_free(tamis_path* path) { delete path; }
 
-const char* tamis_path_message(const tamis_path* path) { return path ? path->outcome.message() : ""; }
+const char* tamis_path_message(const tamis_path* path) { return message_of(path); }

@@ -2,10 +2,7 @@
 #pragma once
 #include <memory>
 
-#include "c/failure.hpp"
+#include "c/handle.hpp"
 #include "tamis/path.hpp"
 
-struct tamis_path {
-  tamis::c::Outcome outcome;
-  std::unique_ptr<const tamis::Path> path;  ///< none if it could not be made
-};
+struct tamis_path : tamis::c::Handle<std::unique_ptr<const tamis::Path>> {};

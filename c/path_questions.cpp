@@ -19,12 +19,6 @@ tamis_path_options options_of(const tamis_path_options* given) {
   return options;
 }
 
-const Path& made(const tamis_path* path) {
-  if (!required(path, "path").path)
-    throw InvalidPath("the path could not be made: " + std::string(path->outcome.message()));
-  return *path->path;
-}
-
 /// Runs `work(handle, path, options)`.
 template <class Work>
 tamis_status ask_on_path(tamis_detector* handle, const tamis_path* path, const tamis_path_options* options,
@@ -32,16 +26,9 @@ tamis_status ask_on_path(tamis_detector* handle, const tamis_path* path, const t
   return with(handle, [&](tamis_detector& h) {
     h.contacts.clear();
     const tamis_path_options given = options_of(options);
-    work(h, made(path), QueryOptions{separation(given.min_separation), AtStart::report, given.tolerance});
+    work(h, made<InvalidPath>(path, "path"),
+         QueryOptions{separation(given.min_separation), AtStart::report, given.tolerance});
   });
-}
-
-/// Runs `work(path)`, unless the path could not be made: then the handle keeps the message that says why.
-template <class Work>
-tamis_status with_path(tamis_path* handle, const Work& work) noexcept {
-  if (!handle) return TAMIS_INVALID_ARGUMENT;
-  if (!handle->path) return handle->outcome.status();
-  return attempt(handle->outcome, [&] { work(*handle->path); });
 }
 
 template <std::size_t corners>
@@ -50,7 +37,7 @@ using Ask = PairResult (*)(const Path&, const std::array<Index, corners>&, const
 template <std::size_t corners>
 tamis_status ask_all(tamis_path* handle, const tamis_path_options* options, const int32_t* vertices, std::size_t count,
                      tamis_pair_result* results, std::size_t result_size, Ask<corners> ask) noexcept {
-  return with_path(handle, [&](const Path& path) {
+  return with_object(handle, [&](const Path& path) {
     const tamis_path_options given = options_of(options);
     const PairOptions chosen{.min_separation = separation(given.min_separation).value_or(0),
                              .tolerance = given.tolerance,
@@ -76,7 +63,7 @@ tamis_status tamis_detector_contacts_on_path(tamis_detector* detector, const tam
                                              const tamis_path_options* options, size_t* count) {
   return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::QueryOptions& q) {
     size_t& number = required(count, "count");
-    handle.contacts = handle.asked->contacts(p, q);
+    handle.contacts = handle.object->contacts(p, q);
     number = handle.contacts.size();
   });
 }
@@ -86,19 +73,19 @@ tamis_status tamis_detector_earliest_on_path(tamis_detector* detector, const tam
                                              size_t* count) {
   return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::QueryOptions& q) {
     const FirstTimes times = first_times(toi_lower, toi_upper, count);
-    times.write(handle, handle.asked->earliest(p, q));
+    times.write(handle, handle.object->earliest(p, q));
   });
 }
 
 tamis_status tamis_detector_is_free_on_path(tamis_detector* detector, const tamis_path* path,
                                             const tamis_path_options* options, int* is_free) {
   return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::QueryOptions& q) {
-    required(is_free, "is_free") = handle.asked->is_free(p, q) ? 1 : 0;
+    required(is_free, "is_free") = handle.object->is_free(p, q) ? 1 : 0;
   });
 }
 
 tamis_status tamis_path_points_at(tamis_path* path, double time, double* points) {
-  return with_path(path, [&](const tamis::Path& p) {
+  return with_object(path, [&](const tamis::Path& p) {
     if (!(time >= 0 && time <= 1)) throw InvalidArgument("the time is " + text_of(time) + ": give a number in [0, 1]");
     std::vector<tamis::Index> vertices(static_cast<std::size_t>(p.vertex_count()));
     std::iota(vertices.begin(), vertices.end(), 0);

@@ -20,13 +20,6 @@ inline Positions positions(const double* rows, Index count, std::ptrdiff_t strid
   return {count > 0 ? &required(rows, name) : rows, count, stride == 0 ? 3 : stride};
 }
 
-/// For calls about single pairs, which report pairs that touch at t=0 and offer no choice.
-inline void refuse_at_start(const tamis_step& given) {
-  if (given.at_start != TAMIS_REPORT)
-    throw InvalidOptions("at_start is " + std::to_string(given.at_start) +
-                         ": it is for questions to a detector, leave it 0 for pairs by themselves");
-}
-
 inline Step step_of(const tamis_step& given) {
   return {positions(given.start, given.vertex_count, given.start_stride, "start"),
           positions(given.end, given.vertex_count, given.end_stride, "end")};

@@ -12,12 +12,6 @@
 namespace tamis::c {
 namespace {
 
-const Shape& made(const tamis_shape* shape) {
-  if (!required(shape, "shape").shape)
-    throw InvalidMesh("the shape could not be made: " + std::string(shape->outcome.message()));
-  return *shape->shape;
-}
-
 /// Refuses bodies that are named twice: the second time the body may be gone.
 void refuse_twice(std::span<const BodyId> bodies) {
   std::vector<BodyId> ordered(bodies.begin(), bodies.end());
@@ -68,26 +62,26 @@ using namespace tamis::c;
 tamis_status tamis_shape_create(const tamis_mesh* mesh, const double* points, const tamis_shape_options* options,
                                 tamis_shape** shape) {
   return make_handle(shape, [&](tamis_shape& handle) {
-    const tamis::Mesh& of = made(mesh);
+    const auto& of = made<tamis::InvalidMesh>(mesh, "mesh");
     const tamis_shape_options asked = options ? read_sized(options, "options") : tamis_shape_options{};
     const auto vertices = static_cast<std::size_t>(of.vertex_count());
-    handle.shape.emplace(of, point_rows(points, vertices, "points"), isa_of(asked.isa));
+    handle.object.emplace(of, point_rows(points, vertices, "points"), isa_of(asked.isa));
   });
 }
 
 void tamis_shape_free(tamis_shape* shape) { delete shape; }
 
-const char* tamis_shape_message(const tamis_shape* shape) { return shape ? shape->outcome.message() : ""; }
+const char* tamis_shape_message(const tamis_shape* shape) { return message_of(shape); }
 
 tamis_status tamis_world_create(const tamis_world_options* options, tamis_world** world) {
   return make_handle(world, [&](tamis_world& handle) {
-    handle.asked.emplace(options_of(options ? read_sized(options, "options") : tamis_world_options{}));
+    handle.object.emplace(options_of(options ? read_sized(options, "options") : tamis_world_options{}));
   });
 }
 
 void tamis_world_free(tamis_world* world) { delete world; }
 
-const char* tamis_world_message(const tamis_world* world) { return world ? world->outcome.message() : ""; }
+const char* tamis_world_message(const tamis_world* world) { return message_of(world); }
 
 tamis_status tamis_world_add(tamis_world* world, const tamis_shape* shape, const tamis_motions* motions,
                              int32_t* bodies) {
@@ -95,7 +89,7 @@ tamis_status tamis_world_add(tamis_world* world, const tamis_shape* shape, const
     const tamis_motions given = read_sized(motions, "motions");
     check_count(given.count, "count");
     if (given.count > 0) required(bodies, "bodies");
-    add(*handle.asked, made(shape), motions_of(given), bodies);
+    add(*handle.object, made<tamis::InvalidMesh>(shape, "shape"), motions_of(given), bodies);
   });
 }
 
@@ -104,14 +98,14 @@ tamis_status tamis_world_move(tamis_world* world, const int32_t* bodies, const t
     const tamis_motions given = read_sized(motions, "motions");
     const auto named = bodies_of(bodies, given.count, "count");
     refuse_twice(named);
-    move(*handle.asked, named, motions_of(given));
+    move(*handle.object, named, motions_of(given));
   });
 }
 
 tamis_status tamis_world_points_at(tamis_world* world, int32_t body, double time, int32_t vertex_count, double* points,
                                    double* error) {
   return with(world, [&](tamis_world& handle) {
-    const tamis::BodyPoints found = handle.asked->points_at(body, time);
+    const tamis::BodyPoints found = handle.object->points_at(body, time);
     if (vertex_count < 0 || static_cast<std::size_t>(vertex_count) != found.points.size())
       throw InvalidArgument("vertex_count is " + std::to_string(vertex_count) + ", and body " + std::to_string(body) +
                             " has " + std::to_string(found.points.size()) +
@@ -125,7 +119,7 @@ tamis_status tamis_world_remove(tamis_world* world, const int32_t* bodies, size_
   return with(world, [&](tamis_world& handle) {
     const auto named = bodies_of(bodies, count, "count");
     refuse_twice(named);
-    change(*handle.asked, named, [&](tamis::World& w) {
+    change(*handle.object, named, [&](tamis::World& w) {
       for (const tamis::BodyId body : named) w.remove(body);
     });
   });
@@ -134,7 +128,7 @@ tamis_status tamis_world_remove(tamis_world* world, const int32_t* bodies, size_
 tamis_status tamis_world_set_enabled(tamis_world* world, const int32_t* bodies, size_t count, int is_enabled) {
   return with(world, [&](tamis_world& handle) {
     const auto named = bodies_of(bodies, count, "count");
-    change(*handle.asked, named, [&](tamis::World& w) {
+    change(*handle.object, named, [&](tamis::World& w) {
       for (const tamis::BodyId body : named) w.set_enabled(body, is_enabled != 0);
     });
   });
@@ -143,7 +137,7 @@ tamis_status tamis_world_set_enabled(tamis_world* world, const int32_t* bodies, 
 tamis_status tamis_world_set_radius(tamis_world* world, const int32_t* bodies, size_t count, double radius) {
   return with(world, [&](tamis_world& handle) {
     const auto named = bodies_of(bodies, count, "count");
-    change(*handle.asked, named, [&](tamis::World& w) {
+    change(*handle.object, named, [&](tamis::World& w) {
       for (const tamis::BodyId body : named) w.set_radius(body, radius);
     });
   });
@@ -153,7 +147,7 @@ tamis_status tamis_world_set_may_touch(tamis_world* world, const int32_t* bodies
   return with(world, [&](tamis_world& handle) {
     check_count(count, "count");
     const auto named = bodies_of(bodies, 2 * count, "count");
-    change(*handle.asked, named, [&](tamis::World& w) {
+    change(*handle.object, named, [&](tamis::World& w) {
       for (std::size_t i = 0; i < named.size(); i += 2) w.set_may_touch(named[i], named[i + 1], may_touch != 0);
     });
   });

@@ -6,10 +6,7 @@
 #include "c/poses.hpp"
 #include "tamis/world.hpp"
 
-struct tamis_shape {
-  tamis::c::Outcome outcome;
-  std::optional<tamis::Shape> shape;  ///< none if it could not be made
-};
+struct tamis_shape : tamis::c::Handle<std::optional<tamis::Shape>> {};
 
 struct tamis_world
     : tamis::c::AskedHandle<tamis::World, tamis::BodyContact, tamis::BodyNearPair, tamis::BodyIntersection> {};

@@ -23,7 +23,7 @@ template <class Work>
 tamis_status ask(tamis_world* handle, const tamis_query_options* options, const Work& work) noexcept {
   return with(handle, [&](tamis_world& h) {
     h.contacts.clear();
-    work(h, *h.asked, options_of(options));
+    work(h, *h.object, options_of(options));
   });
 }
 
@@ -80,7 +80,7 @@ tamis_status tamis_world_pairs_within(tamis_world* world, double distance, size_
   return with(world, [&](tamis_world& handle) {
     handle.near.clear();
     size_t& number = required(count, "count");
-    handle.near = handle.asked->pairs_within(distance);
+    handle.near = handle.object->pairs_within(distance);
     number = handle.near.size();
   });
 }
@@ -89,14 +89,14 @@ tamis_status tamis_world_intersections(tamis_world* world, size_t* count) {
   return with(world, [&](tamis_world& handle) {
     handle.intersections.clear();
     size_t& number = required(count, "count");
-    handle.intersections = handle.asked->intersections();
+    handle.intersections = handle.object->intersections();
     number = handle.intersections.size();
   });
 }
 
 tamis_status tamis_world_has_intersection(tamis_world* world, int* has_intersection) {
   return with(world, [&](tamis_world& handle) {
-    required(has_intersection, "has_intersection") = handle.asked->has_intersection() ? 1 : 0;
+    required(has_intersection, "has_intersection") = handle.object->has_intersection() ? 1 : 0;
   });
 }
 

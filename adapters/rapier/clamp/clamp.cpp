@@ -48,9 +48,9 @@ tamis_status tamis_world_clamp(tamis_world* world, const tamis_wanted_step* step
     required(contact_count, "contact_count");
     required(clamped, "clamped");
     handle.contacts.clear();
-    const auto overlapping = tamis::adapters::overlapping(*handle.asked, wanted);
+    const auto overlapping = tamis::adapters::overlapping(*handle.object, wanted);
     tamis::adapters::ClampedStep result =
-        tamis::adapters::clamp(*handle.asked, wanted, overlapping, {.gap = given.gap, .rounds = given.rounds});
+        tamis::adapters::clamp(*handle.object, wanted, overlapping, {.gap = given.gap, .rounds = given.rounds});
     std::ranges::copy(result.fractions, fractions);
     handle.contacts = std::move(result.limits);
     *contact_count = handle.contacts.size();

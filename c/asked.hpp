@@ -46,6 +46,15 @@ inline AtStart at_start(int32_t given) {
   return static_cast<AtStart>(given);
 }
 
+/// Keeps the rows of an answer, which `find` returns, and writes their number. There are none if the call fails.
+template <class Row, class Find>
+void keep_rows(std::vector<Row>& rows, std::size_t* count, const Find& find) {
+  rows.clear();
+  std::size_t& number = required(count, "count");
+  rows = find();
+  number = rows.size();
+}
+
 /// Where a call writes the times of the earliest contact.
 struct FirstTimes {
   double *toi_lower, *toi_upper;

@@ -22,8 +22,7 @@ tamis::Stored known_stored(int32_t stored) {
 tamis_status tamis_detector_create(const tamis_mesh* mesh, const tamis_options* options, tamis_detector** detector) {
   return make_handle(detector, [&](tamis_detector& handle) {
     const auto& of = made<tamis::InvalidMesh>(mesh, "mesh");
-    const auto given = options ? read_sized(options, "options") : tamis_options{};
-    handle.object.emplace(of, options_of(given, of.vertex_count()));
+    handle.object.emplace(of, options_of(read_options(options), of.vertex_count()));
   });
 }
 

@@ -18,19 +18,13 @@ using namespace tamis::c;
 tamis_status tamis_detector_pairs_within(tamis_detector* detector, const tamis_step* step, double distance,
                                          size_t* count) {
   return with(detector, [&](tamis_detector& handle) {
-    handle.near.clear();
-    size_t& number = required(count, "count");
-    handle.near = handle.object->pairs_within(start_of(step), distance);
-    number = handle.near.size();
+    keep_rows(handle.near, count, [&] { return handle.object->pairs_within(start_of(step), distance); });
   });
 }
 
 tamis_status tamis_detector_intersections(tamis_detector* detector, const tamis_step* step, size_t* count) {
   return with(detector, [&](tamis_detector& handle) {
-    handle.intersections.clear();
-    size_t& number = required(count, "count");
-    handle.intersections = handle.object->intersections(start_of(step));
-    number = handle.intersections.size();
+    keep_rows(handle.intersections, count, [&] { return handle.object->intersections(start_of(step)); });
   });
 }
 

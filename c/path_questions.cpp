@@ -14,7 +14,7 @@ namespace tamis::c {
 namespace {
 
 tamis_path_options options_of(const tamis_path_options* given) {
-  tamis_path_options options = given ? read_sized(given, "options") : tamis_path_options{};
+  tamis_path_options options = read_options(given);
   if (options.tolerance == 0) options.tolerance = PairOptions().tolerance;
   return options;
 }
@@ -62,9 +62,7 @@ using namespace tamis::c;
 tamis_status tamis_detector_contacts_on_path(tamis_detector* detector, const tamis_path* path,
                                              const tamis_path_options* options, size_t* count) {
   return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::QueryOptions& q) {
-    size_t& number = required(count, "count");
-    handle.contacts = handle.object->contacts(p, q);
-    number = handle.contacts.size();
+    keep_rows(handle.contacts, count, [&] { return handle.object->contacts(p, q); });
   });
 }
 

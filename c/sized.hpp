@@ -42,6 +42,12 @@ T read_sized(const T* given, const char* name) {
   return known;
 }
 
+/// Options that a caller may leave out.
+template <class T>
+T read_options(const T* given) {
+  return given ? read_sized(given, "options") : T{};
+}
+
 /// Writes the fields of an answer for which the caller's struct has room.
 template <class T>
 void write_sized(T answer, T* to, const char* name) {

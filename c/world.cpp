@@ -63,9 +63,8 @@ tamis_status tamis_shape_create(const tamis_mesh* mesh, const double* points, co
                                 tamis_shape** shape) {
   return make_handle(shape, [&](tamis_shape& handle) {
     const auto& of = made<tamis::InvalidMesh>(mesh, "mesh");
-    const tamis_shape_options asked = options ? read_sized(options, "options") : tamis_shape_options{};
-    const auto vertices = static_cast<std::size_t>(of.vertex_count());
-    handle.object.emplace(of, point_rows(points, vertices, "points"), isa_of(asked.isa));
+    const tamis::Isa isa = isa_of(read_options(options).isa);
+    handle.object.emplace(of, point_rows(points, static_cast<std::size_t>(of.vertex_count()), "points"), isa);
   });
 }
 
@@ -74,9 +73,7 @@ void tamis_shape_free(tamis_shape* shape) { delete shape; }
 const char* tamis_shape_message(const tamis_shape* shape) { return message_of(shape); }
 
 tamis_status tamis_world_create(const tamis_world_options* options, tamis_world** world) {
-  return make_handle(world, [&](tamis_world& handle) {
-    handle.object.emplace(options_of(options ? read_sized(options, "options") : tamis_world_options{}));
-  });
+  return make_handle(world, [&](tamis_world& handle) { handle.object.emplace(options_of(read_options(options))); });
 }
 
 void tamis_world_free(tamis_world* world) { delete world; }

@@ -6,7 +6,7 @@ namespace tamis::c {
 namespace {
 
 QueryOptions options_of(const tamis_query_options* given) {
-  const tamis_query_options asked = given ? read_sized(given, "options") : tamis_query_options{};
+  const tamis_query_options asked = read_options(given);
   QueryOptions options{separation(asked.min_separation), at_start(asked.at_start)};
   if (asked.tolerance != 0) options.tolerance = asked.tolerance;
   return options;
@@ -34,9 +34,7 @@ using namespace tamis::c;
 
 tamis_status tamis_world_contacts(tamis_world* world, const tamis_query_options* options, size_t* count) {
   return ask(world, options, [&](tamis_world& handle, tamis::World& w, const tamis::QueryOptions& q) {
-    size_t& number = required(count, "count");
-    handle.contacts = w.contacts(q);
-    number = handle.contacts.size();
+    keep_rows(handle.contacts, count, [&] { return w.contacts(q); });
   });
 }
 
@@ -78,19 +76,13 @@ tamis_status tamis_world_safe_step(tamis_world* world, double keep, const tamis_
 
 tamis_status tamis_world_pairs_within(tamis_world* world, double distance, size_t* count) {
   return with(world, [&](tamis_world& handle) {
-    handle.near.clear();
-    size_t& number = required(count, "count");
-    handle.near = handle.object->pairs_within(distance);
-    number = handle.near.size();
+    keep_rows(handle.near, count, [&] { return handle.object->pairs_within(distance); });
   });
 }
 
 tamis_status tamis_world_intersections(tamis_world* world, size_t* count) {
   return with(world, [&](tamis_world& handle) {
-    handle.intersections.clear();
-    size_t& number = required(count, "count");
-    handle.intersections = handle.object->intersections();
-    number = handle.intersections.size();
+    keep_rows(handle.intersections, count, [&] { return handle.object->intersections(); });
   });
 }
 

@@ -1,5 +1,6 @@
-// The box around a step.
+// Boxes around the vertices that a mesh uses.
 #pragma once
+#include <limits>
 #include <span>
 
 #include "tamis/mesh.hpp"
@@ -7,7 +8,17 @@
 
 namespace tamis::io {
 
-/// The box around the vertices that a mesh uses, at both ends of the step.
+struct Box {
+  static constexpr double kFar = std::numeric_limits<double>::max();
+
+  Point lowest{kFar, kFar, kFar};
+  Point highest{-kFar, -kFar, -kFar};
+
+  /// Also holds the vertices that the mesh uses, where `positions` has them.
+  void add(const Mesh& mesh, std::span<const Point> positions);
+};
+
+/// The box around a step, which may be as large as doubles go.
 struct Extent {
   Point middle{};
   double half = 0;  ///< half the longest side

@@ -55,15 +55,6 @@ std::size_t count_duplicates(std::span<const Face> faces) {
   return static_cast<std::size_t>(sorted.end() - std::unique(sorted.begin(), sorted.end()));
 }
 
-void find_bounds(const Mesh& mesh, const std::vector<Point>& positions, MeshFacts& facts) {
-  facts.lowest = facts.highest = at(positions, mesh.points().front());
-  for (const Index v : mesh.points())
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      facts.lowest[axis] = std::min(facts.lowest[axis], at(positions, v)[axis]);
-      facts.highest[axis] = std::max(facts.highest[axis], at(positions, v)[axis]);
-    }
-}
-
 }  // namespace
 
 MeshFacts facts_of(const Mesh& mesh, const std::vector<Point>& positions) {
@@ -75,7 +66,7 @@ MeshFacts facts_of(const Mesh& mesh, const std::vector<Point>& positions) {
     facts.degenerate_faces += has_no_area(at(positions, f[0]), at(positions, f[1]), at(positions, f[2]));
   facts.duplicate_faces = count_duplicates(mesh.faces());
   facts.components = static_cast<std::size_t>(components_of(mesh).count);
-  find_bounds(mesh, positions, facts);
+  facts.box.add(mesh, positions);
   return facts;
 }
 

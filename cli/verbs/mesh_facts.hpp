@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "io/extent.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"
 
@@ -17,8 +18,7 @@ struct MeshFacts {
   std::size_t degenerate_faces = 0;    ///< of area exactly zero
   std::size_t duplicate_faces = 0;     ///< triangles that repeat the vertices of another one
   std::size_t components = 0;          ///< connected by common vertices; unused vertices do not count
-  Point lowest{};                      ///< of the box around the used vertices
-  Point highest{};
+  io::Box box;                         ///< around the used vertices
 };
 
 MeshFacts facts_of(const Mesh& mesh, const std::vector<Point>& positions);

@@ -1,5 +1,6 @@
 // tamis info: what a mesh is.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <memory>
@@ -53,7 +54,7 @@ class Info final : public Verb {
             {"degenerate_faces", facts.degenerate_faces},
             {"duplicate_faces", facts.duplicate_faces},
             {"components", facts.components},
-            {"bounds", {{"lowest", facts.lowest}, {"highest", facts.highest}}},
+            {"bounds", {{"lowest", facts.box.lowest}, {"highest", facts.box.highest}}},
             {"notes", notes}};
   }
 
@@ -74,8 +75,7 @@ class Info final : public Verb {
                 f.non_manifold_edges ? "of three triangles or more; legal" : "");
     print_count("  loose", f.rods, f.rods ? "of no triangle: rods" : "");
     print_count("components", f.components, "");
-    fmt::print("{:<19} ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})\n", "box", f.lowest[0], f.lowest[1],
-               f.lowest[2], f.highest[0], f.highest[1], f.highest[2]);
+    fmt::print("{:<19} ({:.6g}) to ({:.6g})\n", "box", fmt::join(f.box.lowest, ", "), fmt::join(f.box.highest, ", "));
   }
 
   std::string path_;

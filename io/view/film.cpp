@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
+#include "io/extent.hpp"
 #include "io/view/path_positions.hpp"
 
 namespace tamis::io {
@@ -12,15 +12,10 @@ namespace {
 
 /// The longest side of the box around the vertices that the mesh uses.
 double size_of(const Mesh& mesh, const std::vector<Point>& positions) {
+  Box box;
+  box.add(mesh, positions);
   double size = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    for (const Index v : mesh.points()) {
-      lowest = std::min(lowest, positions[static_cast<std::size_t>(v)][axis]);
-      highest = std::max(highest, positions[static_cast<std::size_t>(v)][axis]);
-    }
-    size = std::max(size, highest - lowest);
-  }
+  for (std::size_t axis = 0; axis < 3; ++axis) size = std::max(size, box.highest[axis] - box.lowest[axis]);
   return size;
 }
 

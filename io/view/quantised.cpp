@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "io/extent.hpp"
 
 namespace tamis::io {
 namespace {
@@ -10,23 +11,9 @@ namespace {
 /// The grid's largest integer: a feature of a millionth of the scene still spans sixteen steps.
 constexpr std::uint32_t kFinest = (std::uint32_t{1} << 24) - 1;
 
-/// The box around the used vertices in all frames.
-struct Box {
-  Point lowest{kFar, kFar, kFar};
-  Point highest{-kFar, -kFar, -kFar};
-
-  static constexpr double kFar = std::numeric_limits<double>::max();
-};
-
 Box box_of(const Recording& recording) {
   Box box;
-  for (const auto& frame : recording.frames)
-    for (const Index v : recording.mesh.points())
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double x = frame[static_cast<std::size_t>(v)][axis];
-        box.lowest[axis] = std::min(box.lowest[axis], x);
-        box.highest[axis] = std::max(box.highest[axis], x);
-      }
+  for (const auto& frame : recording.frames) box.add(recording.mesh, frame);
   return box;
 }
 

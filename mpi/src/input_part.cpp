@@ -136,7 +136,7 @@ class InputPartMaker {
     }
     part_.row_of_vertex.assign(mentions_.size(), -1);
     for (std::size_t row = 0; row < mesh_.vertices.size(); ++row)
-      part_.row_of_vertex[place_of(mesh_.vertices[row])] = static_cast<Index>(row);
+      part_.row_of_vertex[place_of(mentions_, mesh_.vertices[row])] = static_cast<Index>(row);
     share(answer.sharers);
   }
 
@@ -148,7 +148,7 @@ class InputPartMaker {
     for (std::size_t v = 0; v < entries.size(); ++v)
       if (is_spoken_for(v)) part_.spoken_for.push_back(static_cast<Index>(v));
     for (const auto& [in_sample, number] : used.sample) {
-      const std::size_t v = place_of(number);
+      const std::size_t v = place_of(mentions_, number);
       if (v < entries.size() && entries[v].number == number && is_spoken_for(v))
         part_.sample.push_back({in_sample, static_cast<Index>(v)});
     }
@@ -157,7 +157,7 @@ class InputPartMaker {
   void share(const std::vector<Sharer>& sharers) {
     for (const Sharer& sharer : sharers) {
       if (part_.lent.empty() || part_.lent.back().rank != sharer.rank) part_.lent.push_back({sharer.rank, {}});
-      part_.lent.back().places.push_back(place_of(sharer.number));
+      part_.lent.back().places.push_back(place_of(mentions_, sharer.number));
     }
     std::map<int, std::vector<std::size_t>> by_home;
     for (std::size_t v = 0; v < part_.elements.vertices.size(); ++v)
@@ -170,7 +170,7 @@ class InputPartMaker {
   void take_elements(VertexDirectory& directory, const std::vector<Entry>& entries) {
     std::vector<Index> points;
     const auto add_point = [&](Index v) {
-      if (!entries[place_of(v)].is_covered) points.push_back(v);
+      if (!entries[place_of(mentions_, v)].is_covered) points.push_back(v);
     };
     std::vector<Edge> edges;
     together(communicator_, [&] {
@@ -195,7 +195,7 @@ class InputPartMaker {
 
   std::vector<Edge> sides_near_loose_edges(const std::vector<Entry>& entries) const {
     std::vector<Edge> sides;
-    const auto is_near = [&](Index v) { return entries[place_of(v)].is_on_loose_edge; };
+    const auto is_near = [&](Index v) { return entries[place_of(mentions_, v)].is_on_loose_edge; };
     for (const Face& face : mesh_.faces)
       for (std::size_t k = 0; k < 3; ++k) {
         const Index a = face[k], b = face[(k + 1) % 3];
@@ -207,16 +207,11 @@ class InputPartMaker {
   void add(Corners numbers) {
     for (Index& corner : numbers) {
       if (corner < 0) continue;
-      const std::size_t place = place_of(corner);
+      const std::size_t place = place_of(mentions_, corner);
       part_.is_used[place] = true;
       corner = static_cast<Index>(place);
     }
     part_.elements.elements.push_back(numbers);
-  }
-
-  std::size_t place_of(Index number) const {
-    return static_cast<std::size_t>(std::ranges::lower_bound(mentions_, number, {}, &Mention::number) -
-                                    mentions_.begin());
   }
 
   Communicator& communicator_;

@@ -1,6 +1,5 @@
 #include "mpi/src/partition/decomposition.hpp"
 
-#include <algorithm>
 #include <map>
 #include <numeric>
 
@@ -12,15 +11,11 @@
 namespace tamis::distributed {
 namespace {
 
-std::uint32_t place_of(const ElementSet& set, Index number) {
-  const auto found = std::ranges::lower_bound(set.vertices, number, {}, &Vertex::number);
-  return static_cast<std::uint32_t>(found - set.vertices.begin());
-}
-
 std::vector<std::uint32_t> places_of(const ElementSet& set, const std::vector<Vertex>& vertices) {
   std::vector<std::uint32_t> places;
   places.reserve(vertices.size());
-  for (const Vertex& vertex : vertices) places.push_back(place_of(set, vertex.number));
+  for (const Vertex& vertex : vertices)
+    places.push_back(static_cast<std::uint32_t>(place_of(set.vertices, vertex.number)));
   return places;
 }
 

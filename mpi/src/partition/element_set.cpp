@@ -7,10 +7,6 @@ namespace {
 
 constexpr Index kUnused = -1;
 
-std::size_t place_of(const std::vector<Vertex>& vertices, Index number) {
-  return static_cast<std::size_t>(std::ranges::lower_bound(vertices, number, {}, &Vertex::number) - vertices.begin());
-}
-
 /// The corners by the vertices' numbers instead of their places.
 Corners numbered(const Corners& corners, const std::vector<Vertex>& vertices) {
   Corners result = corners;

@@ -1,6 +1,7 @@
 // Elements of the mesh with all that a search among them needs: triangles, loose edges and loose points, each with its
 // edges and corners. So a feature never comes without the element to which it belongs.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -20,6 +21,12 @@ struct Vertex {
 
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };
+
+/// The place of the row with this number, or where it would be. REQUIRES (not checked: O(n)): rows sorted by `number`.
+template <class Row>
+std::size_t place_of(const std::vector<Row>& rows, Index number) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(rows, number, {}, &Row::number) - rows.begin());
+}
 
 /// Where a vertex is at t=0 and t=1.
 struct Motion {

@@ -6,18 +6,17 @@
 #include <optional>
 
 #include "cli/answers.hpp"
-#include "cli/command_line/arguments.hpp"
 #include "cli/command_line/printable.hpp"
-#include "cli/command_line/verb.hpp"
 #include "cli/progress.hpp"
 #include "cli/start_check.hpp"
+#include "cli/verbs/motion_verb.hpp"
 #include "cli/verbs/sequence_steps.hpp"
 #include "io/mesh/mesh_formats.hpp"
 
 namespace tamis::cli {
 namespace {
 
-class IsFree final : public Verb {
+class IsFree final : public MotionVerb {
  public:
   const char* name() const override { return "is-free"; }
   const char* summary() const override {
@@ -35,19 +34,16 @@ class IsFree final : public Verb {
             "FRAMES", names_,
             "START END, or more: files, folders or patterns of " + io::mesh_format_names() + ", in natural order")
         .required();
-    detector_.declare(options);
-    at_start_.declare(options);
-    scale_.declare(options);
+    declare_motion(options);
     start_.declare(options);
     declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
     declare_json(options, json_);
   }
 
   int run() override {
-    detector_.check();
-    at_start_.own();
+    check();
     const MovingFrames frames(names_);
-    Detector detector = detector_.detector(io::mesh_of(frames.first()));
+    Detector detector = detector_for(io::mesh_of(frames.first()));
     if (!start_.passes(detector, frames.first().positions)) return start_.refuse(detector, json_, {{"free", false}});
     Timing timing;
     const std::optional<std::size_t> met = ask(frames, detector, timing);
@@ -60,14 +56,13 @@ class IsFree final : public Verb {
   std::optional<std::size_t> ask(const MovingFrames& frames, Detector& detector, Timing& timing) const {
     std::optional<std::size_t> met;
     Progress progress(frames.paths().size() - 1, "steps");
-    for_each_step(
-        frames, {1, frames.paths().size(), 1, scale_.value()}, [&](std::size_t end, int /*part*/, const Step& step) {
-          bool is_free = false;
-          timing += ask_repeatedly(detector, repeat_, [&] { is_free = detector.is_free(step, at_start_.own()); });
-          if (!is_free) met = end;
-          progress.show(end);
-          return is_free;
-        });
+    for_each_step(frames, {1, frames.paths().size(), 1, scale()}, [&](std::size_t end, int /*part*/, const Step& step) {
+      bool is_free = false;
+      timing += ask_repeatedly(detector, repeat_, [&] { is_free = detector.is_free(step, own()); });
+      if (!is_free) met = end;
+      progress.show(end);
+      return is_free;
+    });
     progress.clear();
     return met;
   }
@@ -97,10 +92,6 @@ class IsFree final : public Verb {
 
   std::vector<std::string> names_;
   int repeat_ = 1;
-  bool json_ = false;
-  DetectorArguments detector_;
-  AtStartArgument at_start_;
-  ScaleArgument scale_;
   StartCheck start_;
 };
 

@@ -3,12 +3,11 @@
 
 #include <memory>
 
-#include "cli/command_line/arguments.hpp"
 #include "cli/command_line/printable.hpp"
-#include "cli/command_line/verb.hpp"
 #include "cli/look_output.hpp"
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
+#include "cli/verbs/motion_verb.hpp"
 #include "cli/verbs/moving_frames.hpp"
 #include "io/mesh/mesh_formats.hpp"
 #include "io/scale_step.hpp"
@@ -16,7 +15,7 @@
 namespace tamis::cli {
 namespace {
 
-class View final : public Verb {
+class View final : public MotionVerb {
  public:
   const char* name() const override { return "view"; }
   const char* summary() const override {
@@ -35,19 +34,16 @@ class View final : public Verb {
                        ", in natural order")
         .required();
     output_.declare(options);
-    detector_.declare(options);
-    at_start_.declare(options);
-    scale_.declare(options);
+    declare_motion(options);
     declare_json(options, json_);
   }
 
   int run() override {
-    detector_.check();
-    at_start_.own();
+    check();
     output_.check();
     const MovingFrames frames(names_, 1);
     output_.require(frames.paths(), frames.paths().size() - 1, json_);
-    Detector detector = detector_.detector(io::mesh_of(frames.first()));
+    Detector detector = detector_for(io::mesh_of(frames.first()));
     const io::Recording recording = frames.paths().size() == 1 ? pose_of(frames, detector) : steps_of(frames, detector);
     output_.write(recording);
     report(recording);
@@ -62,7 +58,7 @@ class View final : public Verb {
   }
 
   io::Recording steps_of(const MovingFrames& frames, Detector& detector) const {
-    io::Recording recording{detector.mesh(), detector.options(), scale_.value(), {}, {}, {}};
+    io::Recording recording{detector.mesh(), detector.options(), scale(), {}, {}, {}};
     for (const std::filesystem::path& path : frames.paths())
       recording.names.push_back(utf8_text(path.filename().string()));
     recording.frames.push_back(frames.first().positions);
@@ -72,7 +68,7 @@ class View final : public Verb {
       const std::vector<Point>& start = recording.frames[i - 1];
       std::vector<Point> end = recording.frames[i];
       io::scale_step(start, end, recording.scale);
-      const std::vector<Contact>& contacts = detector.contacts({start, end}, at_start_.own());
+      const std::vector<Contact>& contacts = detector.contacts({start, end}, own());
       recording.steps.push_back({contacts, detector.statistics().stages});
       progress.show(i);
     }
@@ -102,10 +98,6 @@ class View final : public Verb {
 
   std::vector<std::string> names_;
   LookOutput output_{"view.html", io::NoExtension::is_refused};
-  DetectorArguments detector_;
-  AtStartArgument at_start_;
-  ScaleArgument scale_;
-  bool json_ = false;
 };
 
 }  // namespace

@@ -1,0 +1,36 @@
+// What the verbs about moving meshes have in common.
+#pragma once
+#include "cli/command_line/arguments.hpp"
+#include "cli/command_line/verb.hpp"
+
+namespace tamis::cli {
+
+class MotionVerb : public Verb {
+ protected:
+  void declare_motion(OptionList& options) {
+    detector_.declare(options);
+    at_start_.declare(options);
+    scale_.declare(options);
+  }
+  /// Options are checked before any file is read.
+  void check() const {
+    detector_.check();
+    own();
+  }
+  virtual Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
+  Options options_for(const Mesh& mesh) const { return detector_.options_for(mesh); }
+  /// The options where no one has the whole mesh.
+  Options options() const { return detector_.options(); }
+  /// The options of each question. Throws InvalidOptions.
+  QueryOptions own() const { return at_start_.own(); }
+  double scale() const { return scale_.value(); }
+
+  bool json_ = false;
+
+ private:
+  DetectorArguments detector_;
+  AtStartArgument at_start_;
+  ScaleArgument scale_;
+};
+
+}  // namespace tamis::cli

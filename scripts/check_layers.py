@@ -17,9 +17,10 @@ OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "audit", "io",
            "audit": [], "io": ["audit"], "scenes": ["io"], "cli": ["audit", "io", "scenes"], "adapters": ["c", "io"],
            "bench/contenders": ["io", "scenes", "oracle", "bench", "lab"], "bench/distributed": ["bench"],
            "bench/stages": ["scenes", "io", "bench", "lab", *LAYER],
-           "bench/exact": ["scenes", "io", "bench", "oracle", "support", *LAYER], "bench/matrix": ["scenes", "io", "matrix"],
-           "bench/paths": ["scenes"], "bench/questions": ["scenes", "io", "questions"], "bench/subspace": ["scenes", "lab"],
-           "bench/worlds": ["scenes", "worlds"],
+           "bench/exact": ["scenes", "io", "bench", "oracle", "support", *LAYER],
+           "bench/matrix": ["scenes", "io", "bench", "matrix"],
+           "bench/paths": ["scenes", "bench"], "bench/questions": ["scenes", "io", "bench", "questions"],
+           "bench/subspace": ["scenes", "bench", "lab"], "bench/worlds": ["scenes", "bench", "worlds"],
            # The laboratory: its methods may include all layers; its queries and its command may not.
            "lab": ["scenes", *LAYER], "lab/queries": ["io", "lab"], "lab/command": ["io", "scenes", "cli", "lab"]}
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)

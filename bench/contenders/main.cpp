@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/contenders/swept_boxes.hpp"
+#include "bench/timing.hpp"
 #include "io/mesh/frames.hpp"
 #include "io/mesh/mesh_file.hpp"
 #include "io/mesh/mesh_formats.hpp"
@@ -57,10 +58,6 @@ Cost median_cost(Contender& contender, const Task& task, int repeat) {
     seconds.push_back(cost.seconds);
     cpu.push_back(cost.cpu);
   }
-  const auto median = [repeat](std::vector<double>& values) {
-    std::nth_element(values.begin(), values.begin() + repeat / 2, values.end());
-    return values[static_cast<std::size_t>(repeat / 2)];
-  };
   return {median(seconds), median(cpu)};
 }
 

@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "bench/distributed/layers.hpp"
+#include "bench/timing.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::bench {
@@ -30,8 +31,7 @@ double median_ms(const LayersPart& part, const Ask& ask) {
     MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
     if (question >= kWarm) times.push_back(1e3 * seconds);
   }
-  std::ranges::nth_element(times, times.begin() + kQuestions / 2);
-  return times[kQuestions / 2];
+  return median(std::move(times));
 }
 
 template <class AnyDetector>

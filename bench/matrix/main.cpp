@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/timing.hpp"
 #include "matrix/cells.hpp"
 #include "matrix/scenes.hpp"
 #include "matrix/session.hpp"
@@ -53,12 +54,6 @@ nlohmann::ordered_json row_of(const Cell& cell, const Outcome& outcome) {
   return row;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Milliseconds of each question of the cell: medians of as many runs as fit into a fiftieth of a second, at least one.
 std::vector<double> time(Session& session) {
   constexpr double kEnough = 0.02;
@@ -74,7 +69,7 @@ std::vector<double> time(Session& session) {
     }
   }
   std::vector<double> medians;
-  for (auto& values : of_questions) medians.push_back(median(std::move(values)));
+  for (auto& values : of_questions) medians.push_back(bench::median(std::move(values)));
   return medians;
 }
 

@@ -1,9 +1,11 @@
 #include "matrix/session.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <ctime>
 
+#include "bench/mean_edge.hpp"
 #include "matrix/versions.hpp"
 #include "scenes/point_math.hpp"
 
@@ -26,15 +28,6 @@ std::vector<Point> on_the_way(const std::vector<Point>& start, const std::vector
   for (std::size_t v = 0; v < points.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis) points[v][axis] += part * (end[v][axis] - start[v][axis]);
   return points;
-}
-
-double mean_edge(const Mesh& mesh, const std::vector<Point>& points) {
-  double sum = 0;
-  for (const auto& [a, b] : mesh.edges()) {
-    const Point &p = points[static_cast<std::size_t>(a)], &q = points[static_cast<std::size_t>(b)];
-    sum += std::sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]));
-  }
-  return sum / static_cast<double>(std::max<std::size_t>(mesh.edges().size(), 1));
 }
 
 void add(std::uint64_t& hash, std::uint64_t word) { hash = (hash ^ word) * 0x100000001b3; }
@@ -129,7 +122,7 @@ Session::Session(const Cell& cell, scenes::Scene scene, const Options& options)
   options_.isa = options.isa;
   decide_all(options_);
   if (cell.scene.parts_groups) options_.filter = PairFilter::no_self_contact(scene_.group_of_vertex);
-  distance_ = cell.separation * mean_edge(mesh_, scene_.start);
+  distance_ = cell.separation * bench::mean_edge(mesh_, scene_.start);
   if (cell.question != Question::within) options_.min_separation = distance_;
   other_start_ = scenes::exchanged(scene_.start);
   other_end_ = scenes::exchanged(scene_.end);

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <numbers>
 
+#include "bench/timing.hpp"
 #include "scenes/shapes.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/rigid_path.hpp"
@@ -14,8 +14,7 @@
 namespace {
 
 using namespace tamis;
-
-double processor_milliseconds() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+using bench::median, bench::processor_milliseconds;
 
 struct Bodies {
   std::vector<Point> rest;
@@ -78,11 +77,10 @@ void print_row(const char* where, const Bodies& bodies, const Motion& motion, in
     first = detector.earliest(path);
     if (run > 0) times.push_back(processor_milliseconds() - start);
   }
-  std::nth_element(times.begin(), times.begin() + repeat / 2, times.end());
   const PrecisionCount& pairs = detector.statistics().decided_by;
   std::printf("| %s | %.0f | %.3f | %.3f | %.9f | %llu | %.1f |\n", where, motion.degrees, motion.gap, motion.approach,
               first.toi_lower, static_cast<unsigned long long>(pairs.lanes + pairs.scalar + pairs.unresolved),
-              times[static_cast<std::size_t>(repeat / 2)]);
+              median(times));
 }
 
 }  // namespace

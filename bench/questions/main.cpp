@@ -5,28 +5,24 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <string>
 
+#include "bench/mean_edge.hpp"
+#include "bench/timing.hpp"
 #include "questions/frames.hpp"
 #include "tamis/detector.hpp"
 
 namespace {
 
 using namespace tamis;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+using bench::mean_edge, bench::median, bench::processor_milliseconds;
 
 /// Processor time in milliseconds.
 template <class Ask>
 double time_of(const Ask& ask) {
-  const std::clock_t start = std::clock();
+  const double start = processor_milliseconds();
   ask();
-  return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  return processor_milliseconds() - start;
 }
 
 /// Median of the processor time of `repeat` runs, after one that is not timed.
@@ -40,15 +36,6 @@ double milliseconds(int repeat, const Ask& ask) {
 
 void print_row(const std::string& question, std::size_t answers, double ms) {
   std::printf("| %s | %zu | %.2f |\n", question.c_str(), answers, ms);
-}
-
-double mean_edge(const Mesh& mesh, const std::vector<Point>& points) {
-  double sum = 0;
-  for (const auto& [a, b] : mesh.edges()) {
-    const Point &p = points[static_cast<std::size_t>(a)], &q = points[static_cast<std::size_t>(b)];
-    sum += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-  }
-  return sum / static_cast<double>(mesh.edges().size());
 }
 
 struct Bench {

@@ -3,18 +3,17 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
+#include "bench/timing.hpp"
 #include "lab/detector.hpp"
 #include "lab/reduced_scene.hpp"
 
 namespace {
 
 using namespace tamis;
+using bench::processor_milliseconds;
 
 constexpr int kSeeds = 5;
-
-double processor_milliseconds() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct Cost {
   double first = 0, later = 0;  ///< milliseconds of a question

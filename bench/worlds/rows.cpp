@@ -1,9 +1,10 @@
 #include "worlds/rows.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+
+#include "bench/timing.hpp"
 
 namespace tamis::worlds {
 namespace {
@@ -14,12 +15,6 @@ double milliseconds_now() {
   timespec now{};
   clock_gettime(threads_of_rows == 1 ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &now);
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace
@@ -37,7 +32,7 @@ Cost milliseconds(int steps, const std::function<void(int)>& move, const std::fu
     times.push_back(time);
     sum += time;
   }
-  return {median(times), sum / steps};
+  return {bench::median(times), sum / steps};
 }
 
 void print_row(const std::string& what, std::size_t answers, const Cost& cost) {

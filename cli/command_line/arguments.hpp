@@ -76,7 +76,9 @@ class KeepArgument {
 };
 
 void declare_json(OptionList& options, bool& json);
-void declare_repeat(OptionList& options, int& repeat, const std::string& help);
+void declare_repeat(
+    OptionList& options, int& repeat,
+    const std::string& help = "ask N times, report the median time of the runs after the first; default 1");
 /// `of` says what the seed is of.
 Option declare_seed(OptionList& options, std::uint64_t& seed, const std::string& of);
 void declare_min_separation(OptionList& options, double& distance);

@@ -15,7 +15,7 @@ class PoseVerb : public Verb {
   void declare(OptionList& options) override {
     options.add_text("MESH", path_, io::mesh_format_names()).required();
     detector_.declare_means(options);
-    declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
+    declare_repeat(options, repeat_);
     declare_json(options, json_);
   }
 

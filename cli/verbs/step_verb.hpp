@@ -14,7 +14,7 @@ class StepVerb : public MotionVerb {
     options.add_text("START", start_, "the mesh at t=0: " + io::mesh_format_names()).required();
     options.add_text("END", end_, "the same mesh at t=1").required();
     declare_motion(options);
-    declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
+    declare_repeat(options, repeat_);
     declare_json(options, json_);
   }
 

@@ -42,7 +42,7 @@ class Bodies final : public Verb {
     at_start_.declare(options);
     start_.declare_for_bodies(options);
     declare_output(options, out_, "the contacts of all steps: a table (.csv), or a page that shows them (.html)");
-    declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
+    declare_repeat(options, repeat_);
     declare_json(options, json_);
   }
 

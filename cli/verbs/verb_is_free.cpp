@@ -36,7 +36,7 @@ class IsFree final : public MotionVerb {
         .required();
     declare_motion(options);
     start_.declare(options);
-    declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
+    declare_repeat(options, repeat_);
     declare_json(options, json_);
   }
 

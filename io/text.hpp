@@ -7,6 +7,14 @@
 
 namespace tamis::io {
 
+/// Takes what comes before the next `separator` off the front of `rest`, and the separator; all if there is none.
+inline std::string_view take_until(std::string_view& rest, char separator) {
+  const std::size_t end = rest.find(separator);
+  const std::string_view taken = rest.substr(0, end);
+  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  return taken;
+}
+
 /// Walks over lines that end in LF or CR LF, counting from 1.
 class Lines {
  public:
@@ -15,9 +23,7 @@ class Lines {
   /// Steps to the next line; false at the end of the text.
   bool next() {
     if (rest_.empty()) return false;
-    const std::size_t end = rest_.find('\n');
-    line_ = rest_.substr(0, end);
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    line_ = take_until(rest_, '\n');
     if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
     ++number_;
     return true;

@@ -59,12 +59,10 @@ class QueryParser {
 
   /// Returns the number of cells in the line, and sets `cells` to the first seven, without blanks around them.
   static std::size_t split(std::string_view line, std::array<std::string_view, 7>& cells) {
-    std::size_t count = 0;
-    for (std::size_t end = 0; end != std::string_view::npos; ++count) {
-      end = line.find(',');
-      std::string_view cell = line.substr(0, end);
-      if (count < cells.size()) cells[count] = io::take_word(cell);
-      line.remove_prefix(end == std::string_view::npos ? line.size() : end + 1);
+    const auto count = 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
+    for (std::size_t i = 0; i < std::min(count, cells.size()); ++i) {
+      std::string_view cell = io::take_until(line, ',');
+      cells[i] = io::take_word(cell);
     }
     return count;
   }

@@ -9,13 +9,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string_view take_cell(std::string_view& row) {
-  const std::size_t end = row.find(',');
-  const std::string_view cell = row.substr(0, end);
-  row.remove_prefix(end == std::string_view::npos ? row.size() : end + 1);
-  return cell;
-}
-
 /// The answer for `file` in the table, whose rows are `file,kind,touches,...`; none if the table has no row for it.
 std::optional<bool> answer_in(const fs::path& table, const std::string& file) {
   const io::FileBytes bytes(table);
@@ -23,9 +16,9 @@ std::optional<bool> answer_in(const fs::path& table, const std::string& file) {
   if (!lines.next() || lines.line().substr(0, 17) != "file,kind,touches") return std::nullopt;
   while (lines.next()) {
     std::string_view row = lines.line();
-    if (take_cell(row) != file) continue;
-    take_cell(row);
-    const std::string_view touches = take_cell(row);
+    if (io::take_until(row, ',') != file) continue;
+    io::take_until(row, ',');
+    const std::string_view touches = io::take_until(row, ',');
     if (touches != "0" && touches != "1")
       throw io::FileError(table.string(), fmt::format("line {}", lines.number()),
                           fmt::format("the answer is {}: give 0 or 1", io::in_quotes(touches)));

@@ -17,9 +17,7 @@ class Cells {
   Cells(const std::string& file, const io::Lines& lines) : file_(file), number_(lines.number()), rest_(lines.line()) {}
 
   std::string_view text() {
-    const std::size_t end = rest_.find(',');
-    const std::string_view cell = rest_.substr(0, end);
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    const std::string_view cell = io::take_until(rest_, ',');
     if (cell.empty()) fail();
     return cell;
   }

@@ -45,20 +45,19 @@ std::string mdd(const std::vector<float>& heights) {
   return bytes + floats_at(heights, true);
 }
 
-class AuditVerb : public testing::Test {
+class AuditVerb : public CommandTest {
  protected:
   AuditVerb() {
     const double heights[] = {1, 0.5, -1, 0.75, 1};
     for (int i = 0; i < 5; ++i) folder_.write("f/" + std::to_string(i) + ".obj", frame_at(heights[i]) + kTriangles);
   }
 
-  void expect_refused(const std::string& arguments, const std::string& says) const {
+  /// Says that a frame could not be asked, and what the others have.
+  void expect_problem(const std::string& arguments, const std::string& says) const {
     const Outcome outcome = folder_.run(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_NE(outcome.err.find(says), std::string::npos) << arguments << "\n" << outcome.err << "should say: " << says;
   }
-
-  CommandFolder folder_;
 };
 
 TEST_F(AuditVerb, SaysWhichFramesAreBadAndWhere) {
@@ -141,10 +140,10 @@ TEST_F(AuditVerb, ABadCacheIsSaid) {
   folder_.write("none.pc2", pc2({}));
   folder_.write("text.pc2", std::string(100, 'x'));
   folder_.write("text.mdd", std::string(100, 'x'));
-  expect_refused("audit cloth.obj cut.pc2", "frame 2, 2: the file ends here: it was cut short, and 1 of its 3 frames");
-  expect_refused("audit cloth.obj long.pc2",
+  expect_problem("audit cloth.obj cut.pc2", "frame 2, 2: the file ends here: it was cut short, and 1 of its 3 frames");
+  expect_problem("audit cloth.obj long.pc2",
                  "frame 3, rest: the file goes on after the 3 frames that its header names");
-  expect_refused("audit cloth.obj long.mdd", "frame 2, rest: the file goes on after the 2 frames");
+  expect_problem("audit cloth.obj long.mdd", "frame 2, rest: the file goes on after the 2 frames");
   expect_refused("audit cloth.obj head.pc2", "ends in its header");
   expect_refused("audit cloth.obj other.pc2", "it has 7 vertices a frame, the mesh 6");
   expect_refused("audit cloth.obj none.pc2", "names 0 frames");

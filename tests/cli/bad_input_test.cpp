@@ -2,17 +2,14 @@
 // output file.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "cli/command.hpp"
 
 namespace tamis::test {
 namespace {
 
-class BadInput : public testing::Test {
+class BadInput : public FallTest {
  protected:
   BadInput() {
-    folder_.write_fall();
     folder_.write("notes.txt", "hello\n");
     folder_.write("empty.ply", "");
     folder_.write("nothing.obj", "# a comment\n");
@@ -32,17 +29,6 @@ class BadInput : public testing::Test {
     folder_.write("one/frame.obj", bytes_of_file(folder_.path() / "above.obj"));
     std::filesystem::create_directory(folder_.path() / "hollow");
   }
-
-  void expect_error(const std::string& arguments, const std::string& says) {
-    const Outcome outcome = folder_.run(arguments);
-    EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_EQ(outcome.out, "") << arguments;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << arguments << "\n" << outcome.err;
-    EXPECT_TRUE(outcome.err.starts_with("tamis: ")) << outcome.err;
-    EXPECT_NE(outcome.err.find(says), std::string::npos) << arguments << "\n" << outcome.err << "should say: " << says;
-  }
-
-  CommandFolder folder_;
 };
 
 TEST_F(BadInput, FilesThatCannotBeUsed) {
@@ -59,30 +45,30 @@ TEST_F(BadInput, FilesThatCannotBeUsed) {
       {"cut.ply", "cut.ply: line 4"},
   };
   for (const auto& [file, says] : cases) {
-    expect_error(std::string("info ") + file, says);
+    expect_refused(std::string("info ") + file, says);
     for (const char* verb : {"contacts", "earliest"}) {
-      expect_error(std::string(verb) + " above.obj " + file, says);
-      expect_error(std::string(verb) + " " + file + " above.obj --json", says);
+      expect_refused(std::string(verb) + " above.obj " + file, says);
+      expect_refused(std::string(verb) + " " + file + " above.obj --json", says);
     }
     // It may be a pattern.
-    expect_error(std::string("is-free above.obj ") + file, std::string(file) + ": ");
-    expect_error(std::string("is-free ") + file + " above.obj --json", std::string(file) + ": ");
+    expect_refused(std::string("is-free above.obj ") + file, std::string(file) + ": ");
+    expect_refused(std::string("is-free ") + file + " above.obj --json", std::string(file) + ": ");
   }
 }
 
 TEST_F(BadInput, FramesThatDoNotBelongTogether) {
   for (const char* verb : {"contacts", "earliest", "is-free"}) {
-    expect_error(std::string(verb) + " above.obj fewer.obj", "fewer.obj: 3 vertices, but above.obj has 4");
-    expect_error(std::string(verb) + " above.obj other.obj", "other.obj: triangle 0");
+    expect_refused(std::string(verb) + " above.obj fewer.obj", "fewer.obj: 3 vertices, but above.obj has 4");
+    expect_refused(std::string(verb) + " above.obj other.obj", "other.obj: triangle 0");
   }
-  expect_error("sequence above.obj fewer.obj --json", "fewer.obj: 3 vertices");
+  expect_refused("sequence above.obj fewer.obj --json", "fewer.obj: 3 vertices");
 }
 
 TEST_F(BadInput, SequencesWithoutMotion) {
-  expect_error("sequence above.obj", "above.obj: a single frame");
-  expect_error("sequence one", "frame.obj: a single frame");
-  expect_error("sequence hollow", "hollow: no PLY");
-  expect_error("sequence 'z*.obj'", "z*.obj: no such file");
+  expect_refused("sequence above.obj", "above.obj: a single frame");
+  expect_refused("sequence one", "frame.obj: a single frame");
+  expect_refused("sequence hollow", "hollow: no PLY");
+  expect_refused("sequence 'z*.obj'", "z*.obj: no such file");
 }
 
 TEST_F(BadInput, NonsenseOptions) {
@@ -107,27 +93,27 @@ TEST_F(BadInput, NonsenseOptions) {
       {"--scale 1 --scale=1", "--scale is given twice"},
       {"third.obj", "third.obj"},
   };
-  for (const auto& [option, says] : cases) expect_error(std::string("contacts above.obj below.obj ") + option, says);
-  expect_error("contacts above.obj far.obj --scale 10", "a scale of 10 takes vertex 3");
+  for (const auto& [option, says] : cases) expect_refused(std::string("contacts above.obj below.obj ") + option, says);
+  expect_refused("contacts above.obj far.obj --scale 10", "a scale of 10 takes vertex 3");
   for (const char* fraction : {"nan", "-0.1", "1", "much"})
-    expect_error(std::string("safe-step absent.obj below.obj --keep ") + fraction, "--keep");
-  expect_error("--threads 1 contacts above.obj below.obj", "--threads comes before the verb");
-  expect_error("within above.obj --distance 1 --min-separation 1", "within has no option --min-separation");
-  expect_error("within above.obj --distance 1 --radius-of 1", "within has no option --radius-of");
-  expect_error("intersections above.obj --radius 1", "intersections has no option --radius");
-  expect_error("bench above.obj below.obj --seed 4", "--triangles and --seed are of generated scenes");
-  expect_error("contacts above.obj", "END");
-  expect_error("dance above.obj below.obj", "dance");
-  expect_error("", "--help");
+    expect_refused(std::string("safe-step absent.obj below.obj --keep ") + fraction, "--keep");
+  expect_refused("--threads 1 contacts above.obj below.obj", "--threads comes before the verb");
+  expect_refused("within above.obj --distance 1 --min-separation 1", "within has no option --min-separation");
+  expect_refused("within above.obj --distance 1 --radius-of 1", "within has no option --radius-of");
+  expect_refused("intersections above.obj --radius 1", "intersections has no option --radius");
+  expect_refused("bench above.obj below.obj --seed 4", "--triangles and --seed are of generated scenes");
+  expect_refused("contacts above.obj", "END");
+  expect_refused("dance above.obj below.obj", "dance");
+  expect_refused("", "--help");
 }
 
 // Bug: a failed run leaves an empty or half-written file, or destroys the one that was there.
 TEST_F(BadInput, NoOutputFileIsLeft) {
-  expect_error("contacts above.obj nan.obj --out c.csv", "nan.obj");
-  expect_error("contacts above.obj below.obj --isa fast --out c.csv", "'fast'");
-  expect_error("contacts above.obj below.obj --out absent/c.csv", "absent/c.csv: cannot be written");
-  expect_error("contacts above.obj below.obj --out hollow", "hollow: cannot be written");
-  expect_error("contacts above.obj below.obj --out below.obj", "--out below.obj would overwrite an input");
+  expect_refused("contacts above.obj nan.obj --out c.csv", "nan.obj");
+  expect_refused("contacts above.obj below.obj --isa fast --out c.csv", "'fast'");
+  expect_refused("contacts above.obj below.obj --out absent/c.csv", "absent/c.csv: cannot be written");
+  expect_refused("contacts above.obj below.obj --out hollow", "hollow: cannot be written");
+  expect_refused("contacts above.obj below.obj --out below.obj", "--out below.obj would overwrite an input");
   for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
     EXPECT_NE(entry.path().extension(), ".csv.part");
     EXPECT_FALSE(entry.path().filename().string().starts_with("c.csv")) << entry.path();
@@ -143,7 +129,7 @@ TEST_F(BadInput, OutputsOfOneFormatAreNamedSo) {
                                                        {"intersections above.obj --out i.glb", ".csv, .html or .png"},
                                                        {"bench above.obj below.obj --out b.html", ".csv"}};
   for (const auto& [command, format] : cases) {
-    expect_error(command, std::string(" here: let the name end in ") + format);
+    expect_refused(command, std::string(" here: let the name end in ") + format);
   }
   EXPECT_EQ(folder_.run("within above.obj --distance 1 --out n.CSV").code, 0);
   EXPECT_EQ(folder_.run("within above.obj --distance 1 --out n").code, 0) << "no extension promises nothing";
@@ -153,9 +139,9 @@ TEST_F(BadInput, OutputsOfOneFormatAreNamedSo) {
 // Bug: hours of simulation before a wrong option is told.
 TEST_F(BadInput, FoldersAndScenesAreLookedAtFirst) {
   folder_.write("file", "");
-  expect_error("scene cloth-ball --triangles 600 --frames 1 --out file", "file: the folder cannot be made");
-  expect_error("scene cloth-ball --triangles 600 --frames 1 --out frames --seed -1", "--seed");
-  expect_error("bench --scene soup --triangles 10 --seed -1", "--seed");
+  expect_refused("scene cloth-ball --triangles 600 --frames 1 --out file", "file: the folder cannot be made");
+  expect_refused("scene cloth-ball --triangles 600 --frames 1 --out frames --seed -1", "--seed");
+  expect_refused("bench --scene soup --triangles 10 --seed -1", "--seed");
 }
 
 // Bug: the disk is full and the script that reads the result never learns of it.

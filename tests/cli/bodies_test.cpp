@@ -20,13 +20,12 @@ std::string bodies_of(const std::string& bodies) { return "{" + kMeshes + "\"bod
 
 std::string with_floor(const std::string& body) { return bodies_of(R"({"name": "floor", "mesh": "floor"},)" + body); }
 
-class BodiesVerb : public testing::Test {
+class BodiesVerb : public CommandTest {
  protected:
   Outcome ask(const std::string& scene, const std::string& options = "--json") const {
     folder_.write("scene.json", scene);
     return folder_.run("bodies scene.json " + options);
   }
-  CommandFolder folder_;
 };
 
 // Bug: a body that turns is taken for one whose vertices go straight: both ends of this step are free, and so are the
@@ -214,11 +213,8 @@ TEST_F(BodiesVerb, WhatCannotBeUsedIsRefusedWithItsPlace) {
        "may_not_touch[0][1]: no body is called 'q'"},
   };
   for (const auto& [scene, says] : cases) {
-    const Outcome outcome = ask(scene);
-    EXPECT_EQ(outcome.code, 2) << scene;
-    EXPECT_EQ(outcome.out, "") << scene;
-    EXPECT_TRUE(outcome.err.starts_with("tamis: ")) << outcome.err;
-    EXPECT_NE(outcome.err.find(says), std::string::npos) << scene << "\n" << outcome.err << "should say: " << says;
+    folder_.write("scene.json", scene);
+    expect_refused("bodies scene.json", says);
   }
 }
 

@@ -1,7 +1,9 @@
 // Runs the built command as a user would.
 #pragma once
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -47,6 +49,28 @@ class CommandFolder : public TemporaryFolder {
     write_frame("below.obj", -2);
     write_frame("lower.obj", -4);
   }
+};
+
+/// A test that runs the command in a folder of its own.
+class CommandTest : public testing::Test {
+ protected:
+  /// The command ends with exit code 2 and one line, which has `says` in it.
+  void expect_refused(const std::string& arguments, const std::string& says) const {
+    const Outcome outcome = folder_.run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << arguments << "\n" << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("tamis: ")) << outcome.err;
+    EXPECT_NE(outcome.err.find(says), std::string::npos) << arguments << "\n" << outcome.err << "should say: " << says;
+  }
+
+  CommandFolder folder_;
+};
+
+/// A test with the frames of the fall.
+class FallTest : public CommandTest {
+ protected:
+  FallTest() { folder_.write_fall(); }
 };
 
 }  // namespace tamis::test

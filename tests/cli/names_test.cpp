@@ -8,15 +8,13 @@
 namespace tamis::test {
 namespace {
 
-class Names : public testing::Test {
+class Names : public CommandTest {
  protected:
   /// Two frames in a folder, named with bytes that are no UTF-8 and that a terminal obeys.
   Names() {
     folder_.write_frame("f\xff/1\xfe\x1b[31m.obj", 1);
     folder_.write_frame("f\xff/2\xfe\x1b[31m.obj", -2);
   }
-
-  CommandFolder folder_;
 };
 
 bool has_control(const std::string& text) {

@@ -6,11 +6,7 @@
 namespace tamis::test {
 namespace {
 
-class OneStep : public testing::Test {
- protected:
-  OneStep() { folder_.write_fall(); }
-  CommandFolder folder_;
-};
+class OneStep : public FallTest {};
 
 // Bug: a column is missing, or the time is that of another contact.
 TEST_F(OneStep, ContactsGoToATable) {

@@ -6,12 +6,7 @@
 namespace tamis::test {
 namespace {
 
-class Outputs : public testing::Test {
- protected:
-  Outputs() { folder_.write_fall(); }
-
-  CommandFolder folder_;
-};
+class Outputs : public FallTest {};
 
 // Bug: hours of simulated frames are gone because a name was typed twice; contacts refused it, bench did not.
 TEST_F(Outputs, NeverReplaceAnInput) {

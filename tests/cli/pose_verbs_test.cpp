@@ -6,13 +6,11 @@
 namespace tamis::test {
 namespace {
 
-class PoseVerbs : public testing::Test {
+class PoseVerbs : public FallTest {
  protected:
   PoseVerbs() {
-    folder_.write_fall();
     folder_.write("pierced.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.25 0.25 -1\nv 0.25 0.25 1\nf 1 2 3\nl 4 5\n");
   }
-  CommandFolder folder_;
 };
 
 // Bugs: columns in another order, or a distance that is not that of the pair.

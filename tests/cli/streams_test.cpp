@@ -8,15 +8,13 @@
 namespace tamis::test {
 namespace {
 
-class Streams : public testing::Test {
+class Streams : public FallTest {
  protected:
   Streams() {
-    folder_.write_fall();
     folder_.write("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");  // cut in two, with a note
     if (std::filesystem::exists("/dev/full")) unusable_.emplace_back("/dev/full");
   }
 
-  CommandFolder folder_;
   std::vector<std::string> unusable_{"&-"};
 };
 

@@ -7,10 +7,9 @@
 namespace tamis::test {
 namespace {
 
-class Truncate : public testing::Test {
+class Truncate : public FallTest {
  protected:
   Truncate() {
-    folder_.write_fall();
     for (const auto& [name, height] : {std::pair("high.obj", 1), std::pair("low.obj", -2)}) {
       const std::string z = std::to_string(height);
       folder_.write(name, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.2 0.2 " + z + "\nv 0.4 0.2 " + z + "\nv 0.2 0.4 " + z +
@@ -19,8 +18,6 @@ class Truncate : public testing::Test {
     folder_.write("touching.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.2 0.5 0\nf 1 2 3\np 4\n");
   }
   io::MeshFile written(const std::string& name) const { return io::read_mesh(folder_.path() / name); }
-
-  CommandFolder folder_;
 };
 
 // Bug: positions whose straight way is not free, or that are not the truncated ones.

@@ -1,7 +1,6 @@
 // What an option takes and what it refuses, before any file is read.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <thread>
 
 #include "cli/command.hpp"
@@ -9,19 +8,7 @@
 namespace tamis::test {
 namespace {
 
-class Values : public testing::Test {
- protected:
-  Values() { folder_.write_fall(); }
-
-  void expect_refused(const std::string& arguments, const std::string& says) const {
-    const Outcome outcome = folder_.run(arguments);
-    EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.out;
-    EXPECT_EQ(outcome.out, "") << arguments;
-    EXPECT_NE(outcome.err.find(says), std::string::npos) << arguments << "\n" << outcome.err;
-  }
-
-  CommandFolder folder_;
-};
+class Values : public FallTest {};
 
 constexpr const char* kStepVerbs[] = {"contacts", "earliest", "is-free"};
 

@@ -11,11 +11,7 @@
 namespace tamis::test {
 namespace {
 
-class Verbs : public testing::Test {
- protected:
-  Verbs() { folder_.write_fall(); }
-  CommandFolder folder_;
-};
+class Verbs : public FallTest {};
 
 /// The first word of each line below "Subcommands:".
 std::vector<std::string> verbs_in(const std::string& help) {

@@ -15,19 +15,9 @@ constexpr bool kHasPictures = true;
 constexpr bool kHasPictures = false;
 #endif
 
-class View : public testing::Test {
+class View : public FallTest {
  protected:
-  View() { folder_.write_fall(); }
-
   std::string bytes(const std::string& name) const { return bytes_of_file(folder_.path() / name); }
-
-  void expect_refused(const std::string& arguments, const std::string& says) const {
-    const Outcome outcome = folder_.run(arguments);
-    EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_NE(outcome.err.find(says), std::string::npos) << arguments << "\n" << outcome.err << "should say: " << says;
-  }
-
-  CommandFolder folder_;
 };
 
 TEST_F(View, WritesOnePageOfAStepOrASequence) {

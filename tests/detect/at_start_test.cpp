@@ -23,13 +23,6 @@ namespace {
 using lab::Method;
 using scenes::Recipe, scenes::Scene;
 
-lab::Options with(Method method, double separation) {
-  lab::Options options;
-  options.method = method;
-  options.min_separation = separation;
-  return options;
-}
-
 bool starts_touching(const Contact& contact) { return contact.toi_upper == 0; }
 
 struct Truth {

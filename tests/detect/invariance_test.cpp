@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "scenes/random.hpp"
+#include "support/contact_bits.hpp"
 #include "support/contact_sets.hpp"
 #include "support/every_question.hpp"
 #include "support/kernels_here.hpp"
@@ -22,14 +23,9 @@ namespace {
 
 using scenes::Random, scenes::Recipe, scenes::Scene;
 
-bool same_bits(const Contact& a, const Contact& b) {
-  return a.kind == b.kind && a.certainty == b.certainty && a.vertices == b.vertices && a.toi_lower == b.toi_lower &&
-         a.toi_upper == b.toi_upper && a.u == b.u && a.v == b.v && a.normal == b.normal;
-}
-
 void expect_same_bits(const std::vector<Contact>& a, const std::vector<Contact>& b, const std::string& what) {
   ASSERT_EQ(a.size(), b.size()) << what;
-  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_TRUE(same_bits(a[i], b[i])) << what << ", contact " << i;
+  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_EQ(bits_of(a[i]), bits_of(b[i])) << what << ", contact " << i;
 }
 
 class Invariance : public testing::TestWithParam<Recipe> {

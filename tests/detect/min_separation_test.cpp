@@ -15,13 +15,6 @@ namespace {
 
 using scenes::Recipe, scenes::Scene;
 
-lab::Options with(Method method, double separation) {
-  lab::Options options;
-  options.method = method;
-  options.min_separation = separation;
-  return options;
-}
-
 PairSet truth_of(const Scene& scene, const PairFilter& filter, double separation) {
   PairSet truth;
   lab::for_each_pair(scene.mesh(), filter, [&](PairKind kind, const PairVertices& v) {

@@ -24,18 +24,6 @@ namespace {
 
 using scenes::Recipe, scenes::Scene;
 
-double size_of(const Scene& scene) {
-  double size = 0;
-  for (const Point& p : scene.start) size = std::max({size, std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])});
-  return size;
-}
-
-lab::Options with(Method method) {
-  lab::Options options;
-  options.method = method;
-  return options;
-}
-
 void expect_same(const std::vector<NearPair>& a, const std::vector<NearPair>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -95,9 +83,9 @@ TEST_P(Near, EveryMethodGivesTheSameBits) {
     Detector paper = lab::make_detector(scene.mesh(), with(Method::paper));
     for (const double part : {0.0, 0x1p-30, 0.01, 0.15}) {
       SCOPED_TRACE(scene.name + ", " + std::to_string(part));
-      const auto truth = brute.pairs_within(scene.start, part * size_of(scene));
-      expect_same(tamis.pairs_within(scene.start, part * size_of(scene)), truth);
-      expect_same(paper.pairs_within(scene.start, part * size_of(scene)), truth);
+      const auto truth = brute.pairs_within(scene.start, part * size_at_start(scene));
+      expect_same(tamis.pairs_within(scene.start, part * size_at_start(scene)), truth);
+      expect_same(paper.pairs_within(scene.start, part * size_at_start(scene)), truth);
     }
   }
 }
@@ -106,7 +94,7 @@ TEST_P(Near, EveryMethodGivesTheSameBits) {
 TEST_P(Near, DistancesAreThoseOfExactArithmeticAndNoPairIsMissing) {
   const Scene scene = GetParam().make(24, 9);
   for (const double part : {0.0, 0.03, 0.3}) {
-    const double distance = part * size_of(scene);
+    const double distance = part * size_at_start(scene);
     PairSet listed;
     Detector detector(scene.mesh());
     const auto& pairs = detector.pairs_within(scene.start, distance);
@@ -130,7 +118,7 @@ TEST_P(Near, DistancesAreThoseOfExactArithmeticAndNoPairIsMissing) {
 
 TEST_P(Near, ThreadsAndInstructionSetsChangeNoBit) {
   const Scene scene = GetParam().make(GetParam().scales ? 2000 : 200, 77);
-  const double distance = 0.02 * size_of(scene);
+  const double distance = 0.02 * size_at_start(scene);
   lab::Options options;
   options.threads = 1;
   options.isa = Isa::baseline;

@@ -20,12 +20,6 @@ namespace {
 
 using scenes::Recipe, scenes::Scene;
 
-double size_of(const Scene& scene) {
-  double size = 0;
-  for (const Point& p : scene.start) size = std::max({size, std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])});
-  return size;
-}
-
 /// Options with three groups that cut through the scene's objects, so that features have vertices of several groups.
 lab::Options thick(const Scene& scene, const std::vector<double>& radii, Method method) {
   lab::Options options;
@@ -51,7 +45,7 @@ class Thickness : public testing::TestWithParam<Recipe> {};
 // Bugs: boxes or lanes with the radius of another vertex, of one feature only, or none; a method that ignores radii.
 TEST_P(Thickness, EveryMethodFindsThePairsWithinBothRadii) {
   const Scene scene = GetParam().make(20, 3);
-  const double size = size_of(scene), fixed = 0.01 * size;
+  const double size = size_at_start(scene), fixed = 0.01 * size;
   const std::vector<double> radii{0, 0.02 * size, 0.2 * size};
   const lab::Options brute = thick(scene, radii, Method::brute);
   PairSet truth;
@@ -80,7 +74,7 @@ TEST_P(Thickness, StepLengthsOfAllMethodsAreTheSameBits) {
   for (std::size_t v = 0; v < scene.end.size(); ++v)
     for (std::size_t k = 0; k < 3; ++k)
       scene.end[v][k] = scene.start[v][k] + (scene.end[v][k] - scene.start[v][k]) / 64;
-  const double size = size_of(scene);
+  const double size = size_at_start(scene);
   const std::vector<double> radii{0x1p-11 * size, 0, 0x1p-9 * size};
   for (const double fraction : {0.0, 0.3}) {
     const auto keep = [&](Method method) {
@@ -98,7 +92,7 @@ TEST_P(Thickness, StepLengthsOfAllMethodsAreTheSameBits) {
 // Bug: a question's own separation is kept for the next question, or the tree's boxes do not grow and shrink with it.
 TEST_P(Thickness, AQuestionsOwnSeparationAnswersAsADetectorsDoes) {
   const Scene scene = GetParam().make(60, 4);
-  const double size = size_of(scene);
+  const double size = size_at_start(scene);
   for (const Method method : kMethods) {
     lab::Options options;
     options.method = method;
@@ -129,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Thickness, testing::ValuesIn(scenes::recipes().
 // Bug: lanes of one instruction set load other radii than those of another.
 TEST(ThicknessInLanes, EveryInstructionSetGivesTheSameContacts) {
   const Scene scene = scenes::scene_by_name("folded-cloth", 1500, 6);
-  const double size = size_of(scene);
+  const double size = size_at_start(scene);
   lab::Options options = thick(scene, {0.001 * size, 0, 0.004 * size}, Method::tamis);
   options.isa = Isa::baseline;
   const auto expected = find_contacts(scene, options);

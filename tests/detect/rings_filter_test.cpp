@@ -17,10 +17,8 @@ namespace {
 using lab::Method;
 using scenes::Recipe, scenes::Scene;
 
-lab::Options with(Method method, int rings) {
-  lab::Options options;
-  options.method = method;
-  options.min_separation = 0x1p-4;
+lab::Options with_rings(Method method, int rings) {
+  lab::Options options = with(method, 0x1p-4);
   options.filter.rings = rings;
   return options;
 }
@@ -60,13 +58,13 @@ TEST_P(RingsOf, LeaveOutNeighboursAlone) {
   constexpr double kNear = 0.25;
   std::size_t left_out = 0;
   for (const Method method : kMethods) {
-    Detector all = lab::make_detector(mesh, with(method, 1));
+    Detector all = lab::make_detector(mesh, with_rings(method, 1));
     const std::vector<Contact> contacts = all.contacts(scene.step());
     const std::vector<NearPair> near = all.pairs_within(scene.end, kNear);
     const std::vector<Intersection> intersections = all.intersections(scene.end);
     for (const int number : {2, 3}) {
       const Rings rings(mesh, number);
-      Detector some = lab::make_detector(mesh, with(method, number));
+      Detector some = lab::make_detector(mesh, with_rings(method, number));
       const std::vector<Contact> far = far_apart(contacts, rings);
       EXPECT_EQ(bits_of(some.contacts(scene.step())), bits_of(far));
       EXPECT_EQ(some.is_free(scene.step()), far.empty());
@@ -94,8 +92,9 @@ TEST_P(RingsOf, LeaveOutNeighboursAlone) {
 // Bugs: a neighbour ends the step, or nothing ends it because the first pair was a neighbour.
 TEST_P(RingsOf, StepLengthsAreThoseOfEveryPair) {
   for (const int number : {1, 2, 3}) {
-    const SafeStep truth = lab::make_detector(scene.mesh(), with(Method::brute, number)).safe_step(scene.step(), 0.2);
-    lab::Options options = with(Method::tamis, number);
+    const SafeStep truth =
+        lab::make_detector(scene.mesh(), with_rings(Method::brute, number)).safe_step(scene.step(), 0.2);
+    lab::Options options = with_rings(Method::tamis, number);
     options.threads = 2;
     Detector detector = lab::make_detector(scene.mesh(), options);
     const SafeStep found = detector.safe_step(scene.step(), 0.2);
@@ -112,7 +111,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, RingsOf, testing::ValuesIn(scenes::recipes().be
 // Bug: a number of rings below one is accepted.
 TEST(RingsFilter, IsOneOrMore) {
   const Mesh mesh(3, {{0, 1, 2}});
-  for (const int rings : {0, -1}) EXPECT_THROW(lab::make_detector(mesh, with(Method::tamis, rings)), InvalidOptions);
+  for (const int rings : {0, -1})
+    EXPECT_THROW(lab::make_detector(mesh, with_rings(Method::tamis, rings)), InvalidOptions);
 }
 
 /// With one thread: with more, the size of buffers depends on which threads got work.

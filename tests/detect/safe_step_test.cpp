@@ -10,6 +10,7 @@
 #include "lab/pairs.hpp"
 #include "narrow/near_pair.hpp"
 #include "query/pair_vertices.hpp"
+#include "support/as_new.hpp"
 #include "support/contact_sets.hpp"
 #include "support/kernels_here.hpp"
 #include "support/step_lengths.hpp"
@@ -24,13 +25,6 @@ namespace {
 using scenes::Recipe, scenes::Scene;
 
 /// The positions at time t of the step.
-std::vector<Point> between(const Scene& scene, double t) {
-  std::vector<Point> points = scene.start;
-  for (std::size_t v = 0; v < points.size(); ++v)
-    for (std::size_t k = 0; k < 3; ++k) points[v][k] += t * (scene.end[v][k] - scene.start[v][k]);
-  return points;
-}
-
 class StepLength : public testing::TestWithParam<Recipe> {};
 
 // Bugs: a reach too short for the boxes, for the axes, or for displacements of different sign.
@@ -38,7 +32,7 @@ TEST_P(StepLength, MethodsGiveTheSameBits) {
   for (std::uint64_t seed = 0; seed < 4; ++seed)
     for (const double part : {1.0, 0x1p-6}) {
       Scene scene = GetParam().make(40 + 20 * static_cast<Index>(seed), 71 + seed);
-      scene.end = between(scene, part);
+      scene.end = between(scene.start, scene.end, part);
       for (const double fraction : {0x1p-30, 0.1, 0.5, 0.9, 1 - 0x1p-40})
         for (const double separation : {0.0, 0x1p-12}) {
           const SafeStep truth = keep(scene, fraction, with(Method::brute, separation));
@@ -119,7 +113,7 @@ TEST_P(StepLength, SampledDistancesStayAboveTheFraction) {
   for (const double fraction : {0.1, 0.7}) {
     const SafeStep safe = keep(scene, fraction);
     for (const double part : {0.25, 0.5, 0.875, 1.0}) {
-      const std::vector<Point> now = between(scene, part * safe.lower);
+      const std::vector<Point> now = between(scene.start, scene.end, part * safe.lower);
       const Step step{scene.start, now};
       lab::for_each_pair(mesh, {}, [&](PairKind kind, const PairVertices& v) {
         const PairPoints points = points_of(step, v);
@@ -242,7 +236,7 @@ TEST(SafeStepReuse, AnswersAsANewDetectorWould) {
   const Scene scene = scenes::scene_by_name("folded-cloth", 1000, 1);
   Detector kept(scene.mesh());
   for (const double part : {1.0, 0.01, 0.5, 1.0}) {
-    const std::vector<Point> end = between(scene, part);
+    const std::vector<Point> end = between(scene.start, scene.end, part);
     const Step step{scene.start, end};
     for (const double fraction : {0.5, 0.0, 0.9})
       expect_same(kept.safe_step(step, fraction), Detector(scene.mesh()).safe_step(step, fraction), "kept");

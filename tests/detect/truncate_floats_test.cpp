@@ -5,7 +5,7 @@
 
 #include "detect/truncated.hpp"
 #include "scenes/scene_list.hpp"
-#include "support/step_lengths.hpp"
+#include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "detect/truncated.hpp"
-#include "support/step_lengths.hpp"
+#include "support/contact_sets.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {

@@ -1,20 +1,18 @@
 #include "mpi/same_answers.hpp"
 
+#include "support/contact_bits.hpp"
+
 namespace tamis::test {
 namespace {
 
 constexpr double kFractions[] = {0, 0.1, 0.9};
 
-bool same_bits(const Contact& a, const Contact& b) {
-  return a.kind == b.kind && a.certainty == b.certainty && a.vertices == b.vertices && a.toi_lower == b.toi_lower &&
-         a.toi_upper == b.toi_upper && a.u == b.u && a.v == b.v && a.normal == b.normal;
-}
-
 }  // namespace
 
 void expect_same(const std::vector<Contact>& one, const std::vector<Contact>& many, const std::string& what) {
   ASSERT_EQ(one.size(), many.size()) << what;
-  for (std::size_t i = 0; i < one.size(); ++i) ASSERT_TRUE(same_bits(one[i], many[i])) << what << ", contact " << i;
+  for (std::size_t i = 0; i < one.size(); ++i)
+    ASSERT_EQ(bits_of(one[i]), bits_of(many[i])) << what << ", contact " << i;
 }
 
 void expect_same(const EarliestContact& one, const EarliestContact& many, const std::string& what) {
@@ -22,7 +20,7 @@ void expect_same(const EarliestContact& one, const EarliestContact& many, const 
   EXPECT_EQ(one.toi_upper, many.toi_upper) << what;
   ASSERT_EQ(one.contact.has_value(), many.contact.has_value()) << what;
   if (!one.contact) return;
-  EXPECT_TRUE(same_bits(*one.contact, *many.contact)) << what;
+  EXPECT_EQ(bits_of(*one.contact), bits_of(*many.contact)) << what;
 }
 
 void expect_same(const SafeStep& one, const SafeStep& many, const std::string& what) {

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "scenes/scene_list.hpp"
+#include "support/contact_bits.hpp"
 #include "tamis/tamis.hpp"
 
 namespace {
@@ -34,15 +35,6 @@ namespace tamis::test {
 namespace {
 
 using scenes::Scene;
-
-/// Every bit of every contact.
-std::vector<std::array<double, 8>> bits_of(const std::vector<Contact>& contacts) {
-  std::vector<std::array<double, 8>> rows;
-  for (const Contact& c : contacts)
-    rows.push_back({double(c.kind), double(c.vertices[0]), double(c.vertices[1]), double(c.vertices[2]),
-                    double(c.vertices[3]), c.toi_lower, c.toi_upper, c.u + 2 * c.v});
-  return rows;
-}
 
 /// The same mesh, crumpled more and more: from refit to refit the old order gets poorer.
 std::vector<Point> crumpled(const std::vector<Point>& points, double amount) {

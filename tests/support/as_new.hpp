@@ -7,19 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "support/contact_bits.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {
-
-/// Every number of every contact.
-inline std::vector<std::array<double, 12>> bits_of(const std::vector<Contact>& contacts) {
-  std::vector<std::array<double, 12>> rows;
-  for (const Contact& c : contacts)
-    rows.push_back({double(c.kind), double(c.certainty), double(c.vertices[0]), double(c.vertices[1]),
-                    double(c.vertices[2]), double(c.vertices[3]), c.toi_lower, c.toi_upper, c.u, c.v,
-                    c.normal[0] + 2 * c.normal[1], c.normal[2]});
-  return rows;
-}
 
 inline std::vector<Point> between(const std::vector<Point>& a, const std::vector<Point>& b, double t) {
   std::vector<Point> points = a;
@@ -70,7 +61,7 @@ inline void expect_as_new(Detector& kept, const Step& step, Asked question, cons
       EXPECT_EQ(a.toi_upper, b.toi_upper) << where;
       ASSERT_EQ(a.contact.has_value(), b.contact.has_value()) << where;
       if (a.contact) {
-        EXPECT_EQ(bits_of({*a.contact}), bits_of({*b.contact})) << where;
+        EXPECT_EQ(bits_of(*a.contact), bits_of(*b.contact)) << where;
       }
       break;
     }

@@ -1,6 +1,7 @@
 #include "support/contact_sets.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <sstream>
 
@@ -108,6 +109,12 @@ PairSet oracle_contacts(const Scene& scene) {
       add_if_touching(scene, PairKind::edge_edge, {(*a)[0], (*a)[1], (*b)[0], (*b)[1]}, contacts);
   add_loose_contacts(scene, edges, contacts);
   return contacts;
+}
+
+double size_at_start(const scenes::Scene& scene) {
+  double size = 0;
+  for (const Point& p : scene.start) size = std::max({size, std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])});
+  return size;
 }
 
 std::string missing(const PairSet& a, const PairSet& b) {

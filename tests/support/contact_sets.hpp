@@ -28,6 +28,13 @@ PairSet certified_names_of(const std::vector<Contact>& contacts);
 /// All methods. They must all give the same set.
 inline constexpr std::array kMethods{Method::brute, Method::tamis, Method::paper};
 
+inline lab::Options with(lab::Method method, double min_separation = 0) {
+  lab::Options options;
+  options.method = method;
+  options.min_separation = min_separation;
+  return options;
+}
+
 /// All contacts of the scene by a new detector.
 std::vector<Contact> find_contacts(const scenes::Scene& scene, const lab::Options& options);
 PairSet find_names(const scenes::Scene& scene, const lab::Options& options);
@@ -41,6 +48,9 @@ PairFilter some_pairs(const scenes::Scene& scene, std::uint64_t count);
 
 /// How the four vertices of a pair move.
 oracle::Motion motion_of(const scenes::Scene& scene, const std::array<Index, 4>& vertices);
+
+/// The largest |coordinate| at the start.
+double size_at_start(const scenes::Scene& scene);
 
 /// Names a few of the pairs that are in `a` but not in `b`, for a failure message; empty if there are none.
 std::string missing(const PairSet& a, const PairSet& b);

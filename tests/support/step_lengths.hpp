@@ -14,13 +14,6 @@ inline SafeStep keep(const scenes::Scene& scene, double fraction, const lab::Opt
   return lab::make_detector(scene.mesh(), options).safe_step(scene.step(), fraction);
 }
 
-inline lab::Options with(lab::Method method, double min_separation = 0) {
-  lab::Options options;
-  options.method = method;
-  options.min_separation = min_separation;
-  return options;
-}
-
 inline void expect_same(const SafeStep& a, const SafeStep& b, const std::string& where) {
   EXPECT_EQ(a.lower, b.lower) << where;
   EXPECT_EQ(a.upper, b.upper) << where;

@@ -13,14 +13,7 @@ using scenes::Recipe, scenes::Scene;
 class Equality : public testing::TestWithParam<Recipe> {};
 
 TEST_P(Equality, EveryQuestionHasTheSameAnswerForEveryCut) {
-  const Scene scene = GetParam().make(250, 1);
-  Detector one(scene.mesh(), one_thread());
-  const OneAnswers expected = answers_of(one, scene);
-  for (const Cut& cut : cuts()) {
-    const Part part = part_of(scene, cut);
-    distributed::Detector many(MPI_COMM_WORLD, part.mesh, one_thread());
-    expect_same_answers(expected, many, part, cut.name);
-  }
+  expect_same_for_all_cuts(GetParam().make(250, 1), one_thread());
 }
 
 TEST_P(Equality, ADetectorThatIsKeptAnswersEveryStep) {
@@ -44,15 +37,7 @@ TEST_P(Equality, SeparationThicknessAndFiltersReachAcrossRanks) {
   options.filter = PairFilter::no_self_contact(scene.group_of_vertex);
   options.radii.assign(static_cast<std::size_t>(options.filter.group_count), 2e-3);
   options.filter.accepts = [](PairKind, const std::array<Index, 4>& v) { return v[0] % 7 != 3; };
-  Detector one(scene.mesh(), options);
-  const OneAnswers expected = answers_of(one, scene);
-  for (const Cut& cut : cuts()) {
-    const Part part = part_of(scene, cut);
-    Options local = options;
-    local.filter.group_of_vertex = part.group_of_vertex;
-    distributed::Detector many(MPI_COMM_WORLD, part.mesh, local);
-    expect_same_answers(expected, many, part, cut.name);
-  }
+  expect_same_for_all_cuts(scene, options);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Equality, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "tamis/error.hpp"
 
@@ -196,7 +198,14 @@ void validate(const ClampOptions& options) {
 ClampedStep clamp(World& world, const WantedStep& step, const std::set<BodyPair>& overlapping,
                   const ClampOptions& options) {
   validate(options);
-  return Clamp(world, step, overlapping, options).run();
+  std::vector<std::pair<BodyId, BodyMotion>> before;
+  for (const BodyId body : step.moving()) before.emplace_back(body, world.motion(body));
+  try {
+    return Clamp(world, step, overlapping, options).run();
+  } catch (...) {
+    for (auto& [body, motion] : before) world.move(body, std::move(motion));
+    throw;
+  }
 }
 
 }  // namespace tamis::adapters

@@ -83,7 +83,8 @@ std::set<BodyPair> overlapping(World& world, const WantedStep& step);
 /// already (AtStart::ignore). If a pair touches later, both bodies are held back by the same part, to about `gap`
 /// before the contact; a pair that starts nearer than that may come half as near. Then the question is asked again, as
 /// bodies that move less meet others elsewhere. Bodies far from any contact go all their way. Leaves `world` with the
-/// proven motions. Throws InvalidOptions if an option is out of its range, and what World throws.
+/// proven motions, after an exception with those of before. Throws InvalidOptions if an option is out of its range, and
+/// what World throws.
 ClampedStep clamp(World& world, const WantedStep& step, const std::set<BodyPair>& overlapping,
                   const ClampOptions& options = {});
 

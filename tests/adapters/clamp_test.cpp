@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "tamis/error.hpp"
@@ -48,6 +49,19 @@ class Table final : public WantedStep {
   std::vector<BodyId> ids_;
   std::map<BodyId, std::pair<Pose, Pose>> ways_;
 };
+
+/// Bug: bodies that were told their ways before another body's way was refused kept them, and were asked about there.
+TEST(Clamp, LeavesTheWorldAsItWasIfAWayIsRefused) {
+  World world;
+  Table step;
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  const BodyId goes = world.add(plate(), resting(at_height(1))), lost = world.add(plate(), resting(at_height(9)));
+  step.add(goes, at_height(1), at_height(-3));
+  step.add(lost, at_height(9), at_height(nowhere));
+  EXPECT_THROW(clamp(world, step, {}, {}), Error);
+  for (const auto& [body, height] : {std::pair(goes, 1.0), std::pair(lost, 9.0)})
+    EXPECT_EQ(pose_at(std::get<Rigid>(world.motion(body)).chain, 1).position, at_height(height).position);
+}
 
 TEST(Clamp, StopsABodyAGapBeforeWhatItWouldHit) {
   World world;

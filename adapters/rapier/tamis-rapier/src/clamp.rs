@@ -135,7 +135,7 @@ impl Clamp {
         };
         for (&id, &fraction) in moving.iter().zip(&clamped.fractions) {
             let pose = ways[&id].at(fraction);
-            self.put(id, pose)?;
+            self.rest(id, pose)?;
             let Some(handle) = self.members[&id].owner.body().filter(|_| fraction < 1.0) else { continue };
             bodies[handle].set_position(pose, true);
             step.held.push((handle, fraction));
@@ -163,9 +163,17 @@ impl Clamp {
         Ok(())
     }
 
-    /// Tells the world that the body is at rest at this pose.
+    /// Tells the world that the body is at rest at this pose, unless it is at rest there already.
     fn put(&mut self, id: BodyId, pose: Pose) -> Result<(), Error> {
-        let Some(member) = self.members.get_mut(&id).filter(|member| member.pose != pose) else { return Ok(()) };
+        if self.members.get(&id).is_none_or(|member| member.pose == pose) {
+            return Ok(());
+        }
+        self.rest(id, pose)
+    }
+
+    /// The same, whatever motion the world has been told, as by a clamp.
+    fn rest(&mut self, id: BodyId, pose: Pose) -> Result<(), Error> {
+        let Some(member) = self.members.get_mut(&id) else { return Ok(()) };
         member.pose = pose;
         self.world.move_body(id, &member.motion()?)
     }
@@ -202,7 +210,8 @@ struct Wanted<'a> {
 
 impl Wanted<'_> {
     fn meet(&self, a: &Part, b: &Part) -> bool {
-        let (a, b) = (&self.colliders[a.collider], &self.colliders[b.collider]);
+        // A collider that was removed since `before` meets nothing.
+        let (Some(a), Some(b)) = (self.colliders.get(a.collider), self.colliders.get(b.collider)) else { return false };
         a.collision_groups().test(b.collision_groups()) && a.solver_groups().test(b.solver_groups())
     }
 }

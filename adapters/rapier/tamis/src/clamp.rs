@@ -55,7 +55,7 @@ pub struct Clamped {
 
 impl World {
     /// Shortens the ways of bodies so that no two bodies touch at any time, except pairs that overlap at the start.
-    /// Leaves the world with the proven motions. Refuses a gap or rounds out of range, and poses that are not finite.
+    /// Leaves the world with the proven motions, after a refusal with those of before. Refuses a gap or rounds out of range, and poses that are not finite.
     pub fn clamp(&mut self, step: &dyn WantedStep, options: &ClampOptions) -> Result<Clamped, Error> {
         let moving = step.moving();
         let mut user = step;

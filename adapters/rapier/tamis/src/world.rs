@@ -275,6 +275,9 @@ fn motions_of(motion: &Motion, vertices: usize) -> Result<sys::tamis_motions, Er
 /// The links of all chains, one chain after the other, and how many links each chain has.
 fn chains_of(bodies: &[BodyId], motions: &[Vec<Motion>]) -> Result<(Vec<Link>, usize), Error> {
     let refuse = |message| Err(Error { status: INVALID_STEP, message });
+    if bodies.is_empty() && !motions.is_empty() {
+        return Err(Error { status: INVALID_OPTIONS, message: "no body is named: name those that move".to_owned() });
+    }
     let (mut links, mut of_each) = (Vec::new(), None);
     for motion in motions {
         if motion.len() != bodies.len() {
@@ -298,5 +301,6 @@ fn chains_of(bodies: &[BodyId], motions: &[Vec<Motion>]) -> Result<(Vec<Link>, u
     Ok((links, of_each.unwrap_or(0)))
 }
 
-/// `TAMIS_INVALID_STEP`.
+/// `TAMIS_INVALID_STEP` and `TAMIS_INVALID_OPTIONS`.
 const INVALID_STEP: c_int = 3;
+const INVALID_OPTIONS: c_int = 4;

@@ -68,6 +68,9 @@ fn many_motions_are_answered_as_each_alone() {
     assert_eq!(refusal(&mut world, vec![]).message, "a motion has 0 chains: give one for each of 1 bodies");
     let stays = refusal(&mut world, vec![Motion::at(at(0.0))]);
     assert_eq!(stays.message, "a body is to stay or to deform: give each a chain of links");
+    let of_nobody = world.earliest_many(&[], &[vec![], vec![]], &Query::default()).unwrap_err();
+    assert_eq!(of_nobody.status, INVALID_OPTIONS);
+    assert_eq!(of_nobody.message, "no body is named: name those that move");
     let other = vec![Motion::between(&at(1.0), &at(0.5), [0.0; 3]).unwrap()];
     let uneven = world.earliest_many(&[body], &[motions[0].clone(), other], &Query::default()).unwrap_err();
     assert_eq!(uneven.message, "a chain has 2 links, the first 1: give each as many");

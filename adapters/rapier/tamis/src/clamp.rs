@@ -3,7 +3,10 @@ use crate::error::Error;
 use crate::motion::Pose;
 use crate::sys;
 use crate::world::{BodyId, World};
+use std::any::Any;
+use std::cell::Cell;
 use std::ffi::{c_int, c_void};
+use std::panic::{catch_unwind, resume_unwind, AssertUnwindSafe};
 
 /// A step that an engine wants to make. The proof is about each body's way from `pose(body, 0)` to its final pose: the
 /// origin goes straight, and the body turns the shorter way about a fixed axis.
@@ -55,13 +58,14 @@ pub struct Clamped {
 
 impl World {
     /// Shortens the ways of bodies so that no two bodies touch at any time, except pairs that overlap at the start.
-    /// Leaves the world with the proven motions, after a refusal with those of before. Refuses a gap or rounds out of range, and poses that are not finite.
+    /// Leaves the world with the proven motions, after a refusal with those of before. Refuses a gap or rounds out of range, and poses that are not finite. A panic of the step's
+    /// functions goes on to the caller: tell the bodies of `moving` their motions again before the next question.
     pub fn clamp(&mut self, step: &dyn WantedStep, options: &ClampOptions) -> Result<Clamped, Error> {
         let moving = step.moving();
-        let mut user = step;
+        let asked = Asked { step, panic: Cell::new(None) };
         let wanted = sys::tamis_wanted_step {
             size: size_of::<sys::tamis_wanted_step>(),
-            user: (&mut user as *mut &dyn WantedStep).cast(),
+            user: (&raw const asked).cast_mut().cast(),
             moving: moving.as_ptr(),
             moving_count: moving.len(),
             pose: Some(pose),
@@ -73,34 +77,52 @@ impl World {
         };
         let mut fractions = vec![0.0; moving.len()];
         let (mut count, mut clamped) = (0, sys::tamis_clamped::default());
-        // SAFETY: `fractions` has one number a body. `user` outlives the call, and the functions below cast it back to
-        // what it points to.
+        // SAFETY: `fractions` has one number a body. `asked` outlives the call, and the functions below cast `user` back
+        // to it.
         let status =
             unsafe { sys::tamis_world_clamp(self.handle, &wanted, fractions.as_mut_ptr(), &mut count, &mut clamped) };
+        if let Some(panic) = asked.panic.take() {
+            resume_unwind(panic);
+        }
         self.checked(status)?;
         let limits = self.copied(count, sys::tamis_world_copy_contacts)?;
         Ok(Clamped { fractions, questions: clamped.questions, overlapping: clamped.overlapping, limits })
     }
 }
 
-/// # Safety
-/// `user` points to a `&dyn WantedStep`.
-unsafe fn step_of<'a>(user: *mut c_void) -> &'a dyn WantedStep {
-    *user.cast::<&dyn WantedStep>()
+/// What `user` points to. No panic may pass through C: it waits here until the call returns.
+struct Asked<'a> {
+    step: &'a dyn WantedStep,
+    panic: Cell<Option<Box<dyn Any + Send>>>,
 }
 
+/// Asks the step; after a panic the answer is `otherwise`.
+///
+/// # Safety
+/// `user` points to an `Asked`.
+unsafe fn ask<T>(user: *mut c_void, otherwise: T, question: impl FnOnce(&dyn WantedStep) -> T) -> T {
+    let asked = &*user.cast::<Asked>();
+    catch_unwind(AssertUnwindSafe(|| question(asked.step))).unwrap_or_else(|panic| {
+        asked.panic.set(Some(panic));
+        otherwise
+    })
+}
+
+/// The clamp refuses it.
+const NOWHERE: Pose = Pose { position: [f64::NAN; 3], rotation: [f64::NAN; 3] };
+
 unsafe extern "C" fn pose(user: *mut c_void, body: i32, fraction: f64, pose: *mut Pose) {
-    *pose = step_of(user).pose(body, fraction);
+    *pose = ask(user, NOWHERE, |step| step.pose(body, fraction));
 }
 
 unsafe extern "C" fn radius(user: *mut c_void, body: i32) -> f64 {
-    step_of(user).radius(body)
+    ask(user, 0.0, |step| step.radius(body))
 }
 
 unsafe extern "C" fn collides_at(user: *mut c_void, first: i32, at_first: i32, second: i32, at_second: i32) -> c_int {
-    c_int::from(step_of(user).collides_at((first, at_first), (second, at_second)))
+    c_int::from(ask(user, true, |step| step.collides_at((first, at_first), (second, at_second))))
 }
 
 unsafe extern "C" fn collides(user: *mut c_void, first: i32, second: i32) -> c_int {
-    c_int::from(step_of(user).collides(first, second))
+    c_int::from(ask(user, true, |step| step.collides(first, second)))
 }

@@ -15,9 +15,11 @@ namespace tamis::c {
 /// No struct grows beyond this; a larger size was never set.
 inline constexpr std::size_t kMostBytes = 1U << 16U;
 
+[[noreturn]] inline void refuse_size(std::size_t size, const char* name) {
+  throw InvalidArgument(std::string(name) + " has the size " + std::to_string(size) + ": set it to sizeof");
+}
 inline void check_size(std::size_t size, std::size_t least, const char* name) {
-  if (size < least || size > kMostBytes)
-    throw InvalidArgument(std::string(name) + " has the size " + std::to_string(size) + ": set it to sizeof");
+  if (size < least || size > kMostBytes) refuse_size(size, name);
 }
 
 /// Refuses a count beyond any address space before a row is read: it is a negative number, or was never set.
@@ -26,13 +28,22 @@ inline void check_count(std::size_t count, const char* name) {
     throw InvalidArgument(std::string(name) + " is " + std::to_string(count) + ": give a number of rows below 2^48");
 }
 
-/// The library's fields of a caller's struct; fields that the caller does not know are zero.
+/// The size that a caller's struct says. Every sizeof is a multiple of the alignment; another number was never set, and
+/// might end in the middle of a pointer.
 template <class T>
-T read_sized(const T* given, const char* name) {
+std::size_t size_said(const T* given, const char* name) {
   static_assert(std::is_trivially_copyable_v<T> && offsetof(T, size) == 0);
   std::size_t size = 0;
   std::memcpy(&size, &required(given, name), sizeof(size));
   check_size(size, sizeof(size), name);
+  if (size % alignof(T) != 0) refuse_size(size, name);
+  return size;
+}
+
+/// The library's fields of a caller's struct; fields that the caller does not know are zero.
+template <class T>
+T read_sized(const T* given, const char* name) {
+  const std::size_t size = size_said(given, name);
   const auto* bytes = reinterpret_cast<const unsigned char*>(given);
   if (size > sizeof(T) && std::any_of(bytes + sizeof(T), bytes + size, [](unsigned char b) { return b != 0; }))
     throw InvalidArgument(std::string(name) + " asks for something that version " + tamis_version() +
@@ -51,10 +62,7 @@ T read_options(const T* given) {
 /// Writes the fields of an answer for which the caller's struct has room.
 template <class T>
 void write_sized(T answer, T* to, const char* name) {
-  static_assert(std::is_trivially_copyable_v<T> && offsetof(T, size) == 0);
-  std::size_t size = 0;
-  std::memcpy(&size, &required(to, name), sizeof(size));
-  check_size(size, sizeof(size), name);
+  const std::size_t size = size_said(to, name);
   answer.size = size;
   std::memcpy(to, &answer, std::min(size, sizeof(T)));
 }

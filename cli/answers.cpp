@@ -45,10 +45,8 @@ void print_limit(const SafeStep& safe, double keep, const std::string& distance)
 }  // namespace
 
 void print_tally(const Tally& tally) {
-  const std::string loose =
-      tally.ve + tally.vv > 0 ? fmt::format(", {} vertex-edge, {} vertex-vertex", grouped(tally.ve), grouped(tally.vv))
-                              : "";
-  fmt::print("contacts        {} vertex-face, {} edge-edge{}\n", grouped(tally.vf), grouped(tally.ee), loose);
+  fmt::print("contacts        {} vertex-face, {} edge-edge{}\n", grouped(tally.vf), grouped(tally.ee),
+             of_loose_points(tally.ve, tally.vv));
   if (tally.unresolved > 0)
     fmt::print("unresolved      {} of them: they may touch, or only come close\n", grouped(tally.unresolved));
   if (tally.is_free())
@@ -101,6 +99,12 @@ void add_safe_step(Json& json, const SafeStep& safe, double keep) {
   json["step_lower"] = safe.lower;
   json["step_upper"] = safe.upper;
   json["pair"] = safe.pair ? json_of(*safe.pair) : Json();
+}
+
+void print_ignored(const Statistics& statistics) {
+  if (statistics.ignored == 0) return;
+  fmt::print("ignored         {} at START, and not again once apart\n",
+             counted(statistics.ignored, "pair that touches", "pairs that touch"));
 }
 
 void print_free(bool is_free, const std::string& during) {

@@ -21,6 +21,9 @@ void add_earliest(Json& json, const EarliestContact& first);
 void print_safe_step(const SafeStep& safe, double keep, double min_separation);
 void add_safe_step(Json& json, const SafeStep& safe, double keep);
 
+/// How many pairs were not counted because they touch at the start; nothing if there are none.
+void print_ignored(const Statistics& statistics);
+
 /// `during`: "the step".
 void print_free(bool is_free, const std::string& during);
 

@@ -69,6 +69,8 @@ void LookOutput::require(const std::vector<std::filesystem::path>& inputs, std::
   require_output(path_, inputs, answer_is_alone);
   check();
   if (path_.empty()) return;
+  if (steps == 0 && time_option_.is_given())
+    throw InvalidOptions("--time is of steps, and a single frame is named: leave it out, or name two frames");
   if (steps == 0 && !output().holds_pose)
     throw InvalidOptions(
         fmt::format("--out {}: such a file holds a step, not a single frame: name two frames, or write "

@@ -56,4 +56,14 @@ void require_output(const std::filesystem::path& output, const std::vector<std::
   io::require_writable(output);
 }
 
+void require_two_outputs(const std::filesystem::path& first, const std::filesystem::path& second) {
+  namespace fs = std::filesystem;
+  if (first.empty() || second.empty()) return;
+  std::error_code error;
+  // The first compares files that are there already, by whatever links; the second names.
+  const auto full_name = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
+  if (fs::equivalent(first, second, error) || full_name(first) == full_name(second))
+    throw InvalidOptions(fmt::format("{} is named for two outputs: give each a name of its own", second.string()));
+}
+
 }  // namespace tamis::cli

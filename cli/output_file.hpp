@@ -20,4 +20,8 @@ void declare_output(OptionList& options, std::string& path, const std::string& h
 void require_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,
                     bool answer_is_alone, std::string_view extension = {});
 
+/// Throws InvalidOptions if both outputs are one file: the second would take the place of the first. Either may be
+/// empty.
+void require_two_outputs(const std::filesystem::path& first, const std::filesystem::path& second);
+
 }  // namespace tamis::cli

@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 namespace tamis::cli {
@@ -30,6 +31,10 @@ std::string counted(std::uint64_t number, std::string_view noun, std::string_vie
   return nouns.empty() ? fmt::format("{} {}s", grouped(number), noun) : fmt::format("{} {}", grouped(number), nouns);
 }
 
+std::string of_loose_points(std::uint64_t ve, std::uint64_t vv) {
+  return ve + vv > 0 ? fmt::format(", {} vertex-edge, {} vertex-vertex", grouped(ve), grouped(vv)) : "";
+}
+
 std::string no_later(double time) {
   constexpr double kLastDecimal = 1e-10;
   const std::string nearest = fmt::format("{:.10f}", time);
@@ -53,15 +58,22 @@ namespace {
 void print_stages(const Statistics& statistics, std::string_view only_kind) {
   if (statistics.stages.empty()) return;
   std::size_t width = 15;
-  for (const StageCount& s : statistics.stages) width = std::max(width, s.name.size());
-  const auto print_row = [&](std::string_view name, std::string_view first, std::string_view second) {
-    fmt::print("{:<{}} {:>15}", name, width, first);
-    if (only_kind.empty()) fmt::print(" {:>15}", second);
+  bool has_loose_points = false;
+  for (const StageCount& s : statistics.stages) {
+    width = std::max(width, s.name.size());
+    has_loose_points |= s.ve + s.vv > 0;
+  }
+  const auto print_row = [&](std::string_view name, const std::array<std::string, 4>& of_kind) {
+    fmt::print("{:<{}}", name, width);
+    for (std::size_t kind = 0; kind < (!only_kind.empty() ? 1 : has_loose_points ? 4 : 2); ++kind)
+      fmt::print(" {:>15}", of_kind[kind]);
     fmt::print("\n");
   };
   fmt::print("\n");
-  print_row("pairs entering", only_kind.empty() ? "vertex-face" : only_kind, "edge-edge");
-  for (const StageCount& s : statistics.stages) print_row(s.name, grouped(s.vf), grouped(s.ee));
+  print_row("pairs entering",
+            {only_kind.empty() ? "vertex-face" : std::string(only_kind), "edge-edge", "vertex-edge", "vertex-vertex"});
+  for (const StageCount& s : statistics.stages)
+    print_row(s.name, {grouped(s.vf), grouped(s.ee), grouped(s.ve), grouped(s.vv)});
 }
 
 void print_seconds(const char* name, const Seconds& s) {

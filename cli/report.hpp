@@ -36,6 +36,8 @@ std::uint64_t peak_memory_bytes();
 std::string grouped(std::uint64_t number);
 /// "1 triangle", "2,000 triangles". `nouns`: the plural, unless it is `noun` and an s.
 std::string counted(std::uint64_t number, std::string_view noun, std::string_view nouns = {});
+/// ", 1 vertex-edge, 0 vertex-vertex"; empty if there is neither: only meshes with loose points have such pairs.
+std::string of_loose_points(std::uint64_t ve, std::uint64_t vv);
 /// A time of the step with ten decimals, rounded down: if nothing touches before `time`, nothing touches before the
 /// printed time.
 std::string no_later(double time);

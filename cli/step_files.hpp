@@ -1,10 +1,13 @@
 // Two frames of one mesh as a step.
 #pragma once
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "io/mesh/mesh_file.hpp"
+#include "tamis/error.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"
 
@@ -15,6 +18,16 @@ io::MeshFile read_with_notes(const std::filesystem::path& path);
 
 /// Positions at `part` of the way from start to end: start for 0; end, but for rounding, for 1.
 std::vector<Point> between(const std::vector<Point>& start, const std::vector<Point>& end, double part);
+
+/// Returns ask(), the answer about the step to `end`. If the step is refused, the sentence names it.
+template <class Ask>
+auto asked_of_step(const std::filesystem::path& end, const Ask& ask) {
+  try {
+    return ask();
+  } catch (const InvalidStep& error) {
+    throw InvalidStep(fmt::format("the step to {}: {}", end.string(), error.what()));
+  }
+}
 
 struct StepFiles {
   Mesh mesh;

@@ -1,5 +1,6 @@
 // Lines and tokens of a text held in memory, and exact numbers out of them.
 #pragma once
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <optional>
@@ -15,7 +16,8 @@ inline std::string_view take_until(std::string_view& rest, char separator) {
   return taken;
 }
 
-/// Walks over lines that end in LF or CR LF, counting from 1.
+/// Walks over lines, counting from 1. A line ends in LF, CR LF or CR alone: if a CR did not end its line, a comment
+/// would take the statement behind it along.
 class Lines {
  public:
   explicit Lines(std::string_view text, std::size_t lines_before = 0) : rest_(text), number_(lines_before) {}
@@ -23,8 +25,10 @@ class Lines {
   /// Steps to the next line; false at the end of the text.
   bool next() {
     if (rest_.empty()) return false;
-    line_ = take_until(rest_, '\n');
-    if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
+    const auto* const end = std::find_if(rest_.begin(), rest_.end(), [](char c) { return c == '\n' || c == '\r'; });
+    line_ = rest_.substr(0, static_cast<std::size_t>(end - rest_.begin()));
+    rest_.remove_prefix(line_.size());
+    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : std::min<std::size_t>(rest_.size(), 1));
     ++number_;
     return true;
   }
@@ -38,7 +42,7 @@ class Lines {
   std::size_t number_;
 };
 
-inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
 /// Takes the next word off the front of `rest`; empty if there is none.
 inline std::string_view take_word(std::string_view& rest) {

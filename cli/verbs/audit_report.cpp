@@ -68,8 +68,7 @@ void print_found(const Report& report, const std::vector<std::size_t>& bad) {
   const std::uint64_t steps = count([](const FrameAnswer& frame) { return frame.contacts() > 0; });
   fmt::print("intersections   {} in {}\n", grouped(ef), counted(frames, "frame"));
   fmt::print("contacts        {} in {}: {} vertex-face, {} edge-edge{}\n", grouped(vf + ee + ve + vv),
-             counted(steps, "step"), grouped(vf), grouped(ee),
-             ve + vv > 0 ? fmt::format(", {} vertex-edge, {} vertex-vertex", grouped(ve), grouped(vv)) : "");
+             counted(steps, "step"), grouped(vf), grouped(ee), of_loose_points(ve, vv));
   print_rings(report);
   fmt::print("first bad       frame {}, {}\n", bad.front(), printable(report.frames[bad.front()].name));
 }
@@ -153,12 +152,15 @@ Json audit_json(const Report& report, double seconds) {
 }
 
 void note_frames(const Report& report) {
-  std::size_t said = 0, all = 0;
+  std::size_t all = 0;
+  const auto say = [&](const FrameAnswer& frame, const std::string& sentence) {
+    if (!sentence.empty() && ++all <= kFramesPrinted) note(fmt::format("{}: {}", frame.name, sentence));
+  };
   for (const FrameAnswer& frame : report.frames) {
-    if (frame.note.empty()) continue;
-    if (++all <= kFramesPrinted) note(fmt::format("{}: {}", frame.name, frame.note)), ++said;
+    say(frame, frame.note);
+    if (report.first_bad()) say(frame, frame.problem);
   }
-  if (all > said) note(fmt::format("and so on for {} more frames: --json lists all", all - said));
+  if (all > kFramesPrinted) note(fmt::format("and so on for {} more frames: --json lists all", all - kFramesPrinted));
 }
 
 std::string problem_of(const Report& report) {

@@ -55,17 +55,18 @@ void SequenceTable::add(const SequenceStep& step) {
 
 void SequenceTable::print_row(const SequenceStep& step) const {
   const Tally& tally = step.tally;
-  fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>14} {:>10}  {}\n", step.end,
+  fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>14} {:>10}  {}{}\n", step.end,
              printable(frames_[step.end].filename().string()) + part_of(step.part), width_, grouped(tally.vf),
              grouped(tally.ee), tally.is_free() ? std::string("end") : no_later(tally.toi_lower),
-             readable(step.seconds.total), tree_of(step));
+             readable(step.seconds.total), tree_of(step), of_loose_points(tally.ve, tally.vv));
   std::fflush(stdout);
 }
 
 void SequenceTable::print_totals(const Options& options, const Statistics& statistics, const StartCheck& start) {
   if (!json_) {
-    fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>14} {:>10}\n", "total", "", width_, grouped(total_.vf),
-               grouped(total_.ee), fmt::format("{}/{} free", free_steps_, steps_asked_), readable(seconds_));
+    fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>14} {:>10}{}\n", "total", "", width_, grouped(total_.vf),
+               grouped(total_.ee), fmt::format("{}/{} free", free_steps_, steps_asked_), readable(seconds_),
+               of_loose_points(total_.ve, total_.vv));
     if (is_free()) start.print();
     return;
   }

@@ -65,6 +65,7 @@ class Audit final : public Verb {
     const io::MotionFiles files = io::motion_files(names_);
     require_output(out_, files.all(), json_);
     require_output(out_frames_, files.all(), json_, "csv");
+    require_two_outputs(out_, out_frames_);
     const auto source = io::open_motion(files);
     const auto start = std::chrono::steady_clock::now();
     const audit::Report report = audited(*source);

@@ -22,9 +22,13 @@
 namespace tamis::cli {
 namespace {
 
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 void require_known(const char* what, const std::vector<std::string>& names, const std::vector<std::string>& known) {
   for (const std::string& name : names)
-    if (std::find(known.begin(), known.end(), name) == known.end())
+    if (!contains(known, name))
       throw InvalidOptions(fmt::format("there is no {} '{}': choose one of {}", what, name, fmt::join(known, ", ")));
 }
 
@@ -92,6 +96,10 @@ void Bench::check() {
   setup_.keep = keep_.part();
   require_known("question", questions_, benchmark_questions());
   require_known("mode", modes_, benchmark_modes());
+  if (keep_.part() != KeepArgument().part() && !contains(questions_, "safe-step"))
+    throw InvalidOptions("--keep is of the question safe-step: name it in --question, or leave --keep out");
+  if (setup_.substeps != BenchmarkSetup().substeps && !contains(modes_, "substeps"))
+    throw InvalidOptions("--substeps is of the mode substeps: name it in --mode, or leave --substeps out");
   const bool has_files = !start_.empty() && !end_.empty();
   if (has_files == !scene_.empty() || start_.empty() != end_.empty())
     throw InvalidOptions("give either START and END or --scene");

@@ -48,6 +48,7 @@ void Contacts::report(const Tally& tally, const Detector& detector, const Timing
   }
   print_mesh(detector.mesh());
   print_tally(tally);
+  print_ignored(detector.statistics());
   if (tally.is_free()) start_check_.print();
   if (!output_.path().empty()) fmt::print("written to      {}\n", printable(output_.path()));
   print_costs(detector.statistics(), timing, repeat_);

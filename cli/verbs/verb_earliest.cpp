@@ -45,6 +45,7 @@ class Earliest final : public StepVerb {
     }
     print_mesh(detector.mesh());
     print_earliest(first);
+    print_ignored(detector.statistics());
     if (!first.contact) start_.print();
     print_costs(detector.statistics(), timing, repeat_);
   }

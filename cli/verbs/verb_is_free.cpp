@@ -81,6 +81,7 @@ class IsFree final : public MotionVerb {
     if (met && steps > 1)
       fmt::print("first           in step {}, to {}; later ones were not asked\n", *met,
                  printable(frames.paths()[*met].string()));
+    if (steps == 1) print_ignored(detector.statistics());
     if (!met) start_.print();
     print_costs(detector.statistics(), timing, repeat_);
   }

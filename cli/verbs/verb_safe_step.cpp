@@ -49,6 +49,7 @@ class SafeStepLength final : public StepVerb {
     }
     print_mesh(detector.mesh());
     print_safe_step(safe, keep_.part(), detector.options().min_separation);
+    print_ignored(detector.statistics());
     if (!safe.pair) start_.print();
     print_costs(detector.statistics(), timing, repeat_);
   }

@@ -11,6 +11,7 @@
 #include "cli/verbs/moving_frames.hpp"
 #include "io/mesh/mesh_formats.hpp"
 #include "io/scale_step.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -44,6 +45,7 @@ class View final : public MotionVerb {
     const MovingFrames frames(names_, 1);
     output_.require(frames.paths(), frames.paths().size() - 1, json_);
     Detector detector = detector_for(io::mesh_of(frames.first()));
+    if (frames.paths().size() == 1) require_no_step_options(detector.options());
     const io::Recording recording = frames.paths().size() == 1 ? pose_of(frames, detector) : steps_of(frames, detector);
     output_.write(recording);
     report(recording);
@@ -51,6 +53,16 @@ class View final : public MotionVerb {
   }
 
  private:
+  /// A single frame is asked for its intersections: these options would change nothing.
+  void require_no_step_options(const Options& options) const {
+    if (scale() == 1 && own().at_start == AtStart::report && options.min_separation == 0 &&
+        options.radii.empty())
+      return;
+    throw InvalidOptions(
+        "--scale, --at-start, --min-separation and --radius are of steps, and a single frame is named: leave them out, "
+        "or name two frames");
+  }
+
   static io::Recording pose_of(const MovingFrames& frames, Detector& detector) {
     const std::vector<Point>& positions = frames.first().positions;
     const std::vector<Intersection>& found = detector.intersections(positions);
@@ -68,8 +80,9 @@ class View final : public MotionVerb {
       const std::vector<Point>& start = recording.frames[i - 1];
       std::vector<Point> end = recording.frames[i];
       io::scale_step(start, end, recording.scale);
-      const std::vector<Contact>& contacts = detector.contacts({start, end}, own());
-      recording.steps.push_back({contacts, detector.statistics().stages});
+      asked_of_step(frames.paths()[i], [&] {
+        recording.steps.push_back({detector.contacts({start, end}, own()), detector.statistics().stages});
+      });
       progress.show(i);
     }
     progress.clear();
@@ -90,8 +103,8 @@ class View final : public MotionVerb {
     if (recording.pose)
       fmt::print("intersections   {}\n", grouped(recording.pose->intersections.size()));
     else
-      fmt::print("contacts        {} vertex-face, {} edge-edge, in {} {}\n", grouped(total.vf), grouped(total.ee),
-                 recording.steps.size(), recording.steps.size() == 1 ? "step" : "steps");
+      fmt::print("contacts        {} vertex-face, {} edge-edge{}, in {}\n", grouped(total.vf), grouped(total.ee),
+                 of_loose_points(total.ve, total.vv), counted(recording.steps.size(), "step"));
     constexpr double kMegabyte = 1e6;
     fmt::print("written to      {} ({:.1f} MB)\n", printable(out), static_cast<double>(bytes) / kMegabyte);
   }

@@ -34,6 +34,14 @@ int compare_parts(std::string_view a, std::string_view b) {
   return a.size() != b.size() ? (a.size() < b.size() ? -1 : 1) : a.compare(b);
 }
 
+/// A pattern that this very path matches, and no other.
+std::filesystem::path as_pattern(const std::filesystem::path& path) {
+  std::string pattern;
+  for (const char c : path.string())
+    pattern += std::string_view("*?[]\\").find(c) == std::string_view::npos ? std::string(1, c) : std::string{'\\', c};
+  return pattern;
+}
+
 std::vector<std::filesystem::path> mesh_files_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
@@ -46,11 +54,9 @@ std::vector<std::filesystem::path> mesh_files_in(const std::filesystem::path& fo
   return files;
 }
 
-bool are_two_files(const std::vector<std::string>& names) {
-  return names.size() == 2 && std::all_of(names.begin(), names.end(), [](const std::string& name) {
-           std::error_code error;
-           return std::filesystem::exists(name, error) && !std::filesystem::is_directory(name, error);
-         });
+bool is_file(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error) && !std::filesystem::is_directory(path, error);
 }
 
 }  // namespace
@@ -63,22 +69,24 @@ bool natural_less(std::string_view a, std::string_view b) {
   return whole_a < whole_b;  // a7 and a07: equal as numbers, yet the order must be fixed
 }
 
-std::vector<std::filesystem::path> paths_named(const std::string& name) {
+std::vector<std::filesystem::path> paths_named(const std::string& name, const std::filesystem::path& folder) {
   std::error_code error;
-  if (std::filesystem::exists(name, error)) return {name};
+  const std::filesystem::path path = folder / name;
+  if (std::filesystem::exists(path, error)) return {path};
   glob_t found{};
   const auto release = [](glob_t* g) { globfree(g); };
   const std::unique_ptr<glob_t, decltype(release)> guard(&found, release);
-  if (glob(name.c_str(), GLOB_NOSORT, nullptr, &found) != 0)
-    throw FileError(name, "", "no such file, and no file matches it as a pattern: check the path");
+  if (glob((as_pattern(folder) / name).c_str(), GLOB_NOSORT, nullptr, &found) != 0)
+    throw FileError(path.string(), "", "no such file, and no file matches it as a pattern: check the path");
   return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
 }
 
-std::vector<std::filesystem::path> frame_files(const std::vector<std::string>& names) {
+std::vector<std::filesystem::path> frame_files(const std::vector<std::string>& names,
+                                               const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
   for (const std::string& name : names) {
-    for (const std::filesystem::path& path : paths_named(name)) {
+    for (const std::filesystem::path& path : paths_named(name, folder)) {
       const auto some = std::filesystem::is_directory(path, error) ? mesh_files_in(path) : std::vector{path};
       files.insert(files.end(), some.begin(), some.end());
     }
@@ -88,9 +96,11 @@ std::vector<std::filesystem::path> frame_files(const std::vector<std::string>& n
   return files;
 }
 
-std::vector<std::filesystem::path> moving_files(const std::vector<std::string>& names) {
-  if (are_two_files(names)) return {names.begin(), names.end()};
-  return frame_files(names);
+std::vector<std::filesystem::path> moving_files(const std::vector<std::string>& names,
+                                                const std::filesystem::path& folder) {
+  if (names.size() == 2 && is_file(folder / names[0]) && is_file(folder / names[1]))
+    return {folder / names[0], folder / names[1]};
+  return frame_files(names, folder);
 }
 
 }  // namespace tamis::io

@@ -11,14 +11,17 @@ namespace tamis::io {
 bool natural_less(std::string_view a, std::string_view b);
 
 /// Files, folders (all mesh files directly in them) and glob patterns, together in natural order. A name that
-/// exists is never taken for a pattern. Throws FileError if one of them stands for no file.
-std::vector<std::filesystem::path> frame_files(const std::vector<std::string>& names);
+/// exists is never taken for a pattern, nor is `folder`, in which the names are looked for. Throws FileError if one of
+/// them stands for no file.
+std::vector<std::filesystem::path> frame_files(const std::vector<std::string>& names,
+                                               const std::filesystem::path& folder = {});
 
 /// The frames of a motion: as frame_files, but two files stay in the order in which they are given.
-std::vector<std::filesystem::path> moving_files(const std::vector<std::string>& names);
+std::vector<std::filesystem::path> moving_files(const std::vector<std::string>& names,
+                                                const std::filesystem::path& folder = {});
 
-/// The path `name` if it exists, otherwise all paths that match it as a glob pattern, unordered. Throws FileError if no
-/// path matches.
-std::vector<std::filesystem::path> paths_named(const std::string& name);
+/// The path `name` in `folder` if it exists, otherwise all paths there that match it as a glob pattern, unordered.
+/// Throws FileError if no path matches.
+std::vector<std::filesystem::path> paths_named(const std::string& name, const std::filesystem::path& folder = {});
 
 }  // namespace tamis::io

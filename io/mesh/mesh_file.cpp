@@ -10,11 +10,17 @@
 namespace tamis::io {
 namespace {
 
-MeshFile parse(const FileBytes& bytes, const std::filesystem::path& path) {
+/// Without the mark that editors put before a text in UTF-8.
+std::string_view without_mark(std::string_view bytes) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  return bytes.starts_with(kMark) ? bytes.substr(kMark.size()) : bytes;
+}
+
+MeshFile parse(const FileBytes& file, const std::filesystem::path& path) {
   const std::string name = path.string();
-  if (bytes.view().empty())
-    throw FileError(name, "", fmt::format("the file is empty: give a {} file", mesh_format_names()));
-  if (const MeshFormat* format = mesh_format_of(bytes.view(), path)) return format->parse(bytes.view(), name);
+  const std::string_view bytes = without_mark(file.view());
+  if (bytes.empty()) throw FileError(name, "", fmt::format("the file is empty: give a {} file", mesh_format_names()));
+  if (const MeshFormat* format = mesh_format_of(bytes, path)) return format->parse(bytes, name);
   throw FileError(name, "",
                   fmt::format("not {}: convert it to such a file, or let its name end as that of its format; "
                               "tamis.audit in Python reads USD and glTF",
@@ -55,7 +61,8 @@ MeshFile read_mesh(const std::filesystem::path& path) {
 }
 
 void note_open_end(std::string_view text, MeshFile& mesh) {
-  if (!text.ends_with('\n')) mesh.notes.emplace_back("the last line has no line end: was the file cut short?");
+  if (!text.ends_with('\n') && !text.ends_with('\r'))
+    mesh.notes.emplace_back("the last line has no line end: was the file cut short?");
 }
 
 Mesh mesh_of(MeshFile file) {

@@ -55,6 +55,7 @@ class HeaderParser {
   }
 
   void parse_format(std::string_view rest) {
+    if (has_format_) fail("the header has two format lines: remove one");
     const std::string_view format = take_word(rest);
     if (format == "ascii")
       header_.encoding = PlyEncoding::ascii;

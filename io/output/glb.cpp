@@ -13,6 +13,9 @@
 namespace tamis::io {
 namespace {
 
+/// In units of the mesh: a float has all its digits down to 2^-24 of it.
+constexpr double kLeastExtent = std::numeric_limits<float>::min() * double(1 << 24);
+
 template <class Row>
 std::vector<Index> flat(std::span<const Row> rows) {
   std::vector<Index> indices;
@@ -80,6 +83,10 @@ void write_glb(const std::filesystem::path& path, const Mesh& mesh, std::span<co
   if (!(extent.half < std::numeric_limits<float>::max() / 4))
     throw FileError(path.string(), "",
                     "the mesh is too large for the floats of glTF: scale it down, or write html, csv or vtp");
+  // Below, a float has fewer digits, and in the end none: the motion would be another, or nothing.
+  if (extent.half > 0 && extent.half < kLeastExtent)
+    throw FileError(path.string(), "",
+                    "the mesh is too small for the floats of glTF: scale it up, or write html, csv or vtp");
   GlbScene scene(extent.middle);
   add_mesh(scene, mesh, extent, start, end);
   if (!contacts.empty()) add_contacts(scene, extent, start, end, contacts);

@@ -31,6 +31,14 @@ RecordedStrip strip_of(const audit::Report& report) {
   return strip;
 }
 
+std::string why_nothing_is_shown(const audit::Report& report) {
+  const auto has_problem = [](const audit::FrameAnswer& frame) { return !frame.problem.empty(); };
+  const auto first = std::find_if(report.frames.begin(), report.frames.end(), has_problem);
+  if (first == report.frames.end()) return "no frame is there to be shown, as each is too large to keep: write csv";
+  return fmt::format("no frame is there to be shown, as none could be used: the first, {}, has this problem: {}",
+                     first->name, first->problem);
+}
+
 /// Adds each frame to the recording once, also if one step ends and another begins there.
 class ShownFrames {
  public:
@@ -55,9 +63,7 @@ class ShownFrames {
 void write_audit_page(const std::filesystem::path& path, const audit::Report& report) {
   const std::vector<FrameFindings>& kept = report.kept.frames();
   const auto mesh = shown_mesh(kept);
-  if (!mesh)
-    throw FileError(path.string(), "",
-                    "no frame is there to be shown: none could be used, or each is too large to keep");
+  if (!mesh) throw FileError(path.string(), "", why_nothing_is_shown(report));
   Options options;
   options.min_separation = report.min_separation;
   Recording recording{mesh->mesh(), options, 1, {}, {}, {}};

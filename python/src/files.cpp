@@ -62,7 +62,7 @@ void bind_files(nb::module_& module) {
   module.def("write_mesh", &write_mesh);
   module.def("write_contacts", &write_contacts);
   module.def("write_body_contacts", &write_body_contacts);
-  module.def("frame_files", &io::frame_files);
+  module.def("frame_files", [](const std::vector<std::string>& names) { return io::frame_files(names); });
 }
 
 }  // namespace tamis::python

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <limits>
 
 #include "cli/command.hpp"
 
@@ -153,6 +155,24 @@ TEST_F(AuditVerb, ABadCacheIsSaid) {
   expect_refused("audit cloth.obj f/0.obj cut.pc2", "together with one mesh file");
 }
 
+// Bug: a cache that was cut short is not mentioned, as a contact was found in what is left of it.
+TEST_F(AuditVerb, WhatCouldNotBeAskedIsSaidBesideWhatWasFound) {
+  folder_.write("cloth.obj", frame_at(1) + kTriangles);
+  std::string cut = pc2({1, -1, 1});
+  cut.pop_back();
+  folder_.write("cut.pc2", cut);
+  const Outcome outcome = folder_.run("audit cloth.obj cut.pc2");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("note: 2: the file ends here: it was cut short"), std::string::npos) << outcome.err;
+}
+
+// Bug: a page without a frame is refused in words that do not say why.
+TEST_F(AuditVerb, APageOfNothingSaysWhatIsWrongWithTheFrames) {
+  folder_.write("cloth.obj", frame_at(1) + kTriangles);
+  folder_.write("nan.pc2", pc2({std::numeric_limits<float>::quiet_NaN()}));
+  expect_refused("audit cloth.obj nan.pc2 --out page.html", "has this problem: vertex 3 is not finite");
+}
+
 // Bug: an unreadable frame ends it all; a step is asked across frames that are not there.
 TEST_F(AuditVerb, FramesThatAreBrokenMissingOrOfAnotherMeshAreSaid) {
   for (int i = 0; i < 9; ++i) folder_.write("g/x0" + std::to_string(i) + ".obj", frame_at(1 + 0.01 * i) + kTriangles);
@@ -196,6 +216,9 @@ TEST_F(AuditVerb, TwoFramesFarApartAreNoGap) {
 
 TEST_F(AuditVerb, MisuseIsRefused) {
   expect_refused("audit f --no-contacts --no-intersections", "neither intersections nor contacts");
+  expect_refused("audit f --no-contacts --min-separation 0.1", "the minimum separation is of contacts");
+  expect_refused("audit f --out rows.csv --out-frames ./rows.csv", "./rows.csv is named for two outputs");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "rows.csv"));
   expect_refused("audit f --ring-limit 0", "--ring-limit");
   expect_refused("audit nothing", "nothing");
 }

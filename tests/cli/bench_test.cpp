@@ -44,7 +44,9 @@ TEST(Bench, RefusesWhatItCannotMeasure) {
   folder.write_fall();
   for (const char* arguments :
        {"bench", "bench above.obj", "bench above.obj below.obj --scene soup", "bench --scene no-such-scene",
-        "bench --scene soup --question when", "bench --scene soup --isa mmx"}) {
+        "bench --scene soup --question when", "bench --scene soup --isa mmx",
+        "bench above.obj below.obj --question contacts,earliest --keep 0.5",
+        "bench above.obj below.obj --mode again --substeps 5"}) {
     const Outcome outcome = folder.run(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_TRUE(outcome.out.empty()) << arguments;

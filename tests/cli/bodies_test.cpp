@@ -110,6 +110,19 @@ TEST_F(BodiesVerb, DeformingBodiesReadTheirFramesBesideTheFile) {
             json["contacts"]["vf"].get<std::uint64_t>() + json["contacts"]["ee"].get<std::uint64_t>());
 }
 
+// Bug: the name of the folder is taken for a pattern, and the frames of another folder are asked.
+TEST_F(BodiesVerb, FramesAreThoseBesideTheFileWhateverItsFolderIsCalled) {
+  for (const auto& [folder, z] : {std::pair{"run[1]", "-1"}, std::pair{"run1", "1"}}) {
+    const std::string name = std::string(folder) + "/sheet";
+    folder_.write(name + "1.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 0.25 0.25 1\np 4\n");
+    folder_.write(name + "2.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 0.25 0.25 ") + z + "\np 4\n");
+  }
+  folder_.write("run[1]/scene.json", R"({"bodies": [{"frames": ["sheet*.obj"]}]})");
+  folder_.write("run[1]/back.json", R"({"bodies": [{"frames": ["sheet2.obj", "sheet1.obj"]}]})");
+  EXPECT_EQ(folder_.run("bodies 'run[1]/scene.json'").code, 1);
+  EXPECT_EQ(folder_.run("bodies 'run[1]/back.json' --json").json()["contacts"]["vf"], 1);
+}
+
 // Bug: an option of the command that does not reach the question.
 TEST_F(BodiesVerb, OptionsReachTheQuestion) {
   const std::string above =

@@ -53,6 +53,10 @@ TEST_F(OneStep, WhatTouchesAtTheStartIsReportedIgnoredOrRefused) {
         << verb << refused.err;
     EXPECT_EQ(folder_.run(verb + wide + "forget").code, 2);
   }
+  for (const char* verb : {"contacts", "earliest", "is-free"}) {
+    const std::string out = folder_.run(verb + wide + "ignore").out;
+    EXPECT_NE(out.find("\nignored         "), std::string::npos) << verb << out;
+  }
   EXPECT_EQ(folder_.run("is-free above.obj below.obj --rings 0").code, 2);
   EXPECT_EQ(folder_.run("is-free above.obj below.obj --rings 3").code, 1);
 }

@@ -102,6 +102,32 @@ TEST_F(Verbs, SequenceRoundsTimesDown) {
   EXPECT_NE(table.out.find(" 0.6666666666 "), std::string::npos) << table.out;
 }
 
+// Bug: a step that is not free, for a vertex meets a rod or another vertex, and a table that counts no contact in it.
+TEST_F(Verbs, ContactsOfLoosePointsAreCounted) {
+  const std::string rest = "v 1 0 0\nv 5 0 0\nv 5 1 0\nl 1 2\np 3 4\n";
+  folder_.write("points/1.obj", "v 0 0 0\n" + rest.substr(0, 8) + "v 0.5 1 0\n" + rest.substr(8));
+  folder_.write("points/2.obj", "v 0 0 0\n" + rest.substr(0, 8) + "v 0.5 -1 0\n" + rest.substr(8));
+  for (const char* verb : {"sequence", "view", "contacts", "audit"}) {
+    const std::string out = folder_.run(std::string(verb) + " points/1.obj points/2.obj").out;
+    EXPECT_NE(out.find(", 1 vertex-edge, 0 vertex-vertex"), std::string::npos) << verb << out;
+  }
+  const std::string out = folder_.run("contacts points/1.obj points/2.obj").out;
+  EXPECT_NE(out.find("vertex-edge   vertex-vertex\n"), std::string::npos) << out;
+}
+
+// Bug: of a thousand steps the one that cannot be asked is not named.
+TEST_F(Verbs, AStepThatIsRefusedIsNamed) {
+  folder_.write_frame("stay/1.obj", 2);
+  folder_.write_frame("stay/2.obj", 0);
+  folder_.write_frame("stay/3.obj", 1);
+  for (const char* verb : {"sequence", "is-free", "view"}) {
+    const Outcome outcome = folder_.run(std::string(verb) + " stay --scale 0.5 --at-start fail");
+    EXPECT_EQ(outcome.code, 2) << verb;
+    EXPECT_NE(outcome.err.find("the step to stay/3.obj: vertex 3 and face 0 1 2 touch"), std::string::npos)
+        << verb << outcome.err;
+  }
+}
+
 // Bug: any of the counts is that of another property.
 // Bug: a tree called refitted that was not asked, since what may touch had been listed.
 TEST_F(Verbs, SequenceSaysWhatBecameOfTheTree) {

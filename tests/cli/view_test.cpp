@@ -51,7 +51,11 @@ TEST_F(View, ASingleFrameShowsItsIntersections) {
   EXPECT_EQ(folder_.run("view above.obj --out none.html").code, 0);
   EXPECT_EQ(folder_.run("view above.obj below.obj --json").json()["intersections"], nullptr);
   expect_refused("intersections pierced.obj --time 0.5", "intersections has no option --time");
+  for (const char* option : {"--scale 2", "--at-start fail", "--min-separation 0.1", "--radius 0.1"})
+    expect_refused(std::string("view above.obj --out none.html ") + option,
+                   "are of steps, and a single frame is named");
   if (!kHasPictures) return;
+  expect_refused("view above.obj --out none.png --time 0.5", "--time is of steps, and a single frame is named");
   EXPECT_EQ(folder_.run("intersections pierced.obj --size 64,48 --out pose.png").code, 1);
   EXPECT_TRUE(bytes("pose.png").starts_with("\x89PNG"));
 }
@@ -99,6 +103,8 @@ TEST_F(View, WhatFloatsCannotHoldIsNoGltf) {
   folder_.write("near.obj", "v 0 0 0\nv 1e39 0 0\nv 0 1 0\nf 1 2 3\n");
   folder_.write("far.obj", "v 0 0 1\nv 1e39 0 1\nv 0 1 1\nf 1 2 3\n");
   expect_refused("view near.obj far.obj --out step.glb", "step.glb: the mesh is too large for the floats of glTF");
+  folder_.write("tiny.obj", "v 0 0 0\nv 1e-40 0 0\nv 0 1e-40 0\nf 1 2 3\n");
+  expect_refused("view tiny.obj tiny.obj --out step.glb", "step.glb: the mesh is too small for the floats of glTF");
   EXPECT_EQ(folder_.run("view near.obj far.obj --out step.html").code, 0);
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "io/mesh/mesh_formats.hpp"
 #include "io/messages.hpp"
 #include "io/ply_builder.hpp"
@@ -26,6 +28,17 @@ TEST_F(MeshFiles, TellsFormatsByContentThenByName) {
   EXPECT_EQ(read_mesh(folder_.write("a.OBJ", obj)).faces.size(), 1u);
   EXPECT_TRUE(test::contains(error_of(folder_.write("a.stl", "solid cube\n")), "not " + mesh_format_names()));
   EXPECT_TRUE(test::contains(error_of(folder_.write("b.ply", obj)), "line 1"));
+}
+
+// Bug: a text from an editor that marks UTF-8, or ends lines in CR, is refused as no mesh.
+TEST_F(MeshFiles, TakesTextsOfEveryEditor) {
+  const std::string mark = "\xef\xbb\xbf", obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  std::string ply = test::two_triangles(test::Encoding::ascii);
+  EXPECT_EQ(read_mesh(folder_.write("a.obj", mark + obj)).faces.size(), 1u);
+  EXPECT_EQ(read_mesh(folder_.write("a.ply", mark + ply)).faces.size(), 2u);
+  std::replace(ply.begin(), ply.end(), '\n', '\r');
+  EXPECT_EQ(read_mesh(folder_.write("b.ply", ply)).faces.size(), 2u);
+  EXPECT_TRUE(test::contains(error_of(folder_.write("mark.obj", mark)), "the file is empty"));
 }
 
 // Bug: an empty mesh passes for one without contacts.

@@ -51,6 +51,17 @@ TEST(Obj, ACommentEndsWithItsLine) {
   EXPECT_EQ(mesh.positions[0], (Point{9, 9, 9}));
 }
 
+// Bug: after a comment or a group's name that ends in CR alone the next statement is lost: a face is missing, in
+// silence.
+TEST(Obj, ALineMayEndInCrAlone) {
+  std::string text = "# made by a\ro thing\r" + kFour + "g one\rf 1 2 3\nusemtl red\r\rf 2 3 4\r";
+  const MeshFile mesh = parse_obj(text, "m.obj");
+  EXPECT_EQ(mesh.positions.size(), 4u);
+  EXPECT_EQ(mesh.faces, (std::vector<Face>{{0, 1, 2}, {1, 2, 3}}));
+  EXPECT_TRUE(mesh.notes.empty());
+  EXPECT_TRUE(test::contains(test::file_error("m.obj", [&] { parse_obj(text += "f 9 2 3\r", "m.obj"); }), "line 12"));
+}
+
 // Bug: where numbers have a comma, one that is too small for a double is read up to its point.
 TEST(Obj, NumbersAreTheSameInEveryCountry) {
   const std::string before = std::setlocale(LC_NUMERIC, nullptr);
@@ -75,7 +86,7 @@ TEST(Obj, EachErrorNamesItsLine) {
       {"v 0 0\n", "line 1: a vertex needs three"},
       {"v 0 0 x\n", "line 1: 'x' is no number"},
       {"v 0 0 inf\n", "line 1: a coordinate is not finite"},
-      {"v 0 0 0\rv 5 5 5\n", "line 1: 'v' is no number"},
+      {"v 0 0 0 v 5 5 5\n", "line 1: 'v' is no number"},
       {kFour + "f 1 2\n", "line 5: a face needs three"},
       {kFour + "f 0 1 2\n", "line 5: '0' names no vertex"},
       {kFour + "f 1 2 5\nf 1 2 3\n", "line 5: vertex 5 is named, but the file has only 4"},

@@ -67,6 +67,7 @@ TEST(MalformedPly, EachErrorNamesItsPlace) {
     std::string body;
     std::string says;
   } cases[] = {
+      {"format ascii 1.0\nformat binary_little_endian 1.0\n" + tail, "", "line 3: the header has two format lines"},
       {"format ascii 2.0\n" + tail, "", "line 2: unknown version"},
       {"format text 1.0\n" + tail, "", "line 2: unknown format 'text'"},
       {"element vertex 1\n" + kXyz + tail, "0 0 0\n", "no format line"},

@@ -76,6 +76,37 @@ void test("only points, none of which moves", async () => {
   assert.deepEqual(faults, []);
 });
 
+// Bug: of a point that meets a rod the sieve says that all pairs are proven free, and of pairs that no question was asked
+// about, too.
+void test("the sieve counts what loose points meet, and does not call neighbours free", async () => {
+  const points = [
+    [0, 0, 0],
+    [1, 0, 0],
+    [0.5, 0, 1],
+    [3, 3, 3],
+  ];
+  folder.write("start.obj", obj(points, "l 1 2\np 3 4"));
+  folder.write(
+    "end.obj",
+    obj(
+      points.map(([x, y, z], v) => [x, y, v === 2 ? -1 : z]),
+      "l 1 2\np 3 4",
+    ),
+  );
+  folder.run("view start.obj end.obj --out sieve.html");
+  const { page, faults } = await open(browser, folder.file("sieve.html"));
+  await page.keyboard.press("v");
+  const pairs = (stage: string) => page.getAttribute(`[data-stage="${stage}"]`, "data-pairs");
+  assert.equal(await pairs("all pairs"), "3");
+  assert.equal(await pairs("solve"), "1");
+  assert.equal(
+    await page.getAttribute('[data-stage="contacts"]', "title"),
+    "0 vertex-face, 0 edge-edge, 1 vertex-edge, 0 vertex-vertex",
+  );
+  assert.ok((await page.textContent("#sieve"))?.includes("66.6 % of all pairs are proven free, or not asked about"));
+  assert.deepEqual(faults, []);
+});
+
 // Bug: positions are quantised over the box of all vertices, unused ones included.
 void test("huge coordinates, and a vertex that nothing uses far away", async () => {
   const corners = [

@@ -69,8 +69,9 @@ void BodiesTable::add(const std::vector<BodyContact>& contacts, const Statistics
 }
 
 void BodiesTable::print_row(const Tally& tally, const Timing& timing) const {
-  fmt::print("{:>5} {:>11} {:>11} {:>14} {:>10}\n", steps_asked_, grouped(tally.vf), grouped(tally.ee),
-             tally.is_free() ? std::string("end") : no_later(tally.toi_lower), readable(timing.warm.total));
+  fmt::print("{:>5} {:>11} {:>11} {:>14} {:>10}{}\n", steps_asked_, grouped(tally.vf), grouped(tally.ee),
+             tally.is_free() ? std::string("end") : no_later(tally.toi_lower), readable(timing.warm.total),
+             of_loose_points(tally.ve, tally.vv));
   std::fflush(stdout);
 }
 
@@ -111,10 +112,12 @@ void BodiesTable::print_totals(const Options& options, const Statistics& statist
                                int repeat) {
   if (json_) return print_json(totals_json(options, statistics, start));
   if (!is_one())
-    fmt::print("{:>5} {:>11} {:>11} {:>14} {:>10}\n", "total", grouped(total_.vf), grouped(total_.ee),
-               fmt::format("{}/{} free", free_steps_, steps_asked_), readable(timing_.warm.total));
+    fmt::print("{:>5} {:>11} {:>11} {:>14} {:>10}{}\n", "total", grouped(total_.vf), grouped(total_.ee),
+               fmt::format("{}/{} free", free_steps_, steps_asked_), readable(timing_.warm.total),
+               of_loose_points(total_.ve, total_.vv));
   if (first_ && !is_one()) fmt::print("\nfirst not free  step {}\n", first_->step);
   if (first_) print_contact(first_->contact, names_of(first_->contact, bodies_.names()));
+  if (is_one()) print_ignored(statistics);
   if (is_free()) start.print_for_bodies();
   if (is_one()) print_costs(statistics, timing_, repeat);
 }

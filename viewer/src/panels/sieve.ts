@@ -3,8 +3,8 @@ import { el } from "../dom";
 import { grouped, inWords, percent } from "../numbers";
 import type { Session } from "../session";
 import { SievePicture, stageColour } from "./sieve_picture";
-import { contactsOf } from "../scene/scene";
-import { isPose, nounOf, type SceneHeader, type Stage } from "../scene/header";
+import type { Scene } from "../scene/scene";
+import { isPose, nounOf, withoutContacts, type SceneHeader, type Stage, type StepHeader } from "../scene/header";
 
 /** For the pairs that enter a stage, what they do there. */
 const kStages: Record<string, string> = {
@@ -15,29 +15,51 @@ const kStages: Record<string, string> = {
   solve: "go to the solver: when, and do they touch then?",
 };
 
-interface Row {
-  name: string;
+interface Row extends Stage {
   explained: string;
-  vf: number;
-  ee: number;
   total: number;
 }
 
-function rowsOf(header: SceneHeader, step: number): Row[] {
+/** The pairs of n things with each other. */
+const pairsOf = (n: number): number => (n * (n - 1)) / 2;
+
+function allPairs({ header, rods, loosePoints }: Scene): Stage {
   const { points, faces, edges } = header.mesh;
-  const { stages, contacts } = header.steps[step];
-  const row = (stage: Stage, explained: string, total: number): Row => ({ ...stage, explained, total });
+  const name = "all pairs";
   // Pairs of an edge and a face are counted under vf.
-  const all = isPose(header)
-    ? { name: "all pairs", vf: edges * faces, ee: 0 }
-    : { name: "all pairs", vf: points * faces, ee: (edges * (edges - 1)) / 2 };
-  const [vf, ee] = isPose(header) ? [contacts.ef, 0] : [contacts.vf, contacts.ee];
-  const found = { name: `${nounOf(header)}s`, vf, ee };
+  if (isPose(header)) return { name, vf: edges * faces, ee: 0, ve: 0, vv: 0 };
+  const loose = loosePoints.length;
+  return { name, vf: points * faces, ee: pairsOf(edges), ve: (loose * rods.length) / 2, vv: pairsOf(loose) };
+}
+
+function rowsOf(scene: Scene, step: number): Row[] {
+  const { header } = scene;
+  const { stages, contacts } = header.steps[step];
+  const row = (stage: Stage, explained: string): Row => {
+    const { vf, ee, ve, vv } = stage;
+    return { ...stage, explained, total: vf + ee + ve + vv };
+  };
+  const { vf = contacts.ef, ee = 0, ve = 0, vv = 0 } = contacts;
+  const name = `${nounOf(header)}s`;
   return [
-    row(all, "pairs of features in the mesh", all.vf + all.ee),
-    ...stages.map((stage) => row(stage, kStages[stage.name] ?? `go into ${stage.name}`, stage.vf + stage.ee)),
-    row(found, `touch: ${found.name}`, contactsOf(header.steps[step])),
+    row(allPairs(scene), "pairs of features in the mesh"),
+    ...stages.map((stage) => row(stage, kStages[stage.name] ?? `go into ${stage.name}`)),
+    row({ name, vf, ee, ve, vv }, `touch: ${name}`),
   ];
+}
+
+/** The pairs of a row by kind. */
+function byKind({ vf, ee, ve, vv }: Row, header: SceneHeader): string {
+  if (isPose(header)) return `${grouped(vf)} edge-face`;
+  const loose = ve + vv > 0 ? `, ${grouped(ve)} vertex-edge, ${grouped(vv)} vertex-vertex` : "";
+  return `${grouped(vf)} vertex-face, ${grouped(ee)} edge-edge${loose}`;
+}
+
+/** How much of all pairs does not touch. Pairs that no question was asked about are among them. */
+function shareOf(all: number, left: number, step: StepHeader): string {
+  if (left === 0 && step.toi_lower !== null) return withoutContacts(step);
+  const share = percent(all > 0 ? (all - left) / all : 1);
+  return `${share} of all pairs are proven free, or not asked about: neighbours, and what was left out. Areas are true to scale.`;
 }
 
 export class Sieve {
@@ -68,11 +90,11 @@ export class Sieve {
 
   private refresh(): void {
     const { scene, store } = this.session;
-    const rows = rowsOf(scene.header, store.now.step);
+    const rows = rowsOf(scene, store.now.step);
     const all = rows[0].total;
     const left = rows[rows.length - 1].total;
     this.title.textContent = `${inWords(all)} pairs, ${inWords(left)} ${nounOf(scene.header)}${left === 1 ? "" : "s"}`;
-    this.share.textContent = `${percent(all > 0 ? (all - left) / all : 1)} of all pairs are proven free. Areas are true to scale.`;
+    this.share.textContent = shareOf(all, left, scene.header.steps[store.now.step]);
     this.picture.show(rows.map((row) => row.total));
     this.list.replaceChildren(
       ...rows.map((row, i) => {
@@ -82,9 +104,7 @@ export class Sieve {
           "div",
           {
             class: "sieve-row",
-            title: isPose(scene.header)
-              ? `${grouped(row.vf)} edge-face`
-              : `${grouped(row.vf)} vertex-face, ${grouped(row.ee)} edge-edge`,
+            title: byKind(row, scene.header),
             "data-stage": row.name,
             "data-pairs": row.total,
           },

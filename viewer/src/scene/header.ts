@@ -11,6 +11,8 @@ export interface Stage {
   name: string;
   vf: number;
   ee: number;
+  ve: number;
+  vv: number;
 }
 
 export interface StepHeader {

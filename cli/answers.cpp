@@ -33,7 +33,8 @@ void print_between(PairKind kind, const std::array<Index, 4>& v, const std::arra
 
 void print_limit(const SafeStep& safe, double keep, const std::string& distance) {
   if (safe.lower == 0)
-    fmt::print("step            0: a pair touches at the start\n");
+    fmt::print("step            0: a pair {}\n",
+               safe.upper > 0 ? "is too near at the start for the smallest step" : "touches at the start");
   else if (keep == 0)
     fmt::print("step            {}; no pair touches before it, proven\n", safe.lower);
   else

@@ -16,7 +16,7 @@ io::MeshFile read_with_notes(const std::filesystem::path& path) {
 std::vector<Point> between(const std::vector<Point>& start, const std::vector<Point>& end, double part) {
   std::vector<Point> points = start;
   for (std::size_t v = 0; v < points.size(); ++v)
-    for (std::size_t axis = 0; axis < 3; ++axis) points[v][axis] += part * (end[v][axis] - start[v][axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) points[v][axis] = io::part_of_way(start[v][axis], end[v][axis], part);
   return points;
 }
 

@@ -19,13 +19,13 @@ io::MeshFile read_with_notes(const std::filesystem::path& path);
 /// Positions at `part` of the way from start to end: start for 0; end, but for rounding, for 1.
 std::vector<Point> between(const std::vector<Point>& start, const std::vector<Point>& end, double part);
 
-/// Returns ask(), the answer about the step to `end`. If the step is refused, the sentence names it.
+/// Returns ask(), the answer about `step`. If the step is refused, the sentence names it.
 template <class Ask>
-auto asked_of_step(const std::filesystem::path& end, const Ask& ask) {
+auto asked_of(const std::string& step, const Ask& ask) {
   try {
     return ask();
   } catch (const InvalidStep& error) {
-    throw InvalidStep(fmt::format("the step to {}: {}", end.string(), error.what()));
+    throw InvalidStep(fmt::format("{}: {}", step, error.what()));
   }
 }
 

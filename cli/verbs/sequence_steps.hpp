@@ -33,7 +33,7 @@ void for_each_step(const MovingFrames& frames, const StepRange& range, const F& 
                                      : between(start, scaled, static_cast<double>(n) / range.substeps);
       };
       const std::vector<Point> from = at(part - 1), to = at(part);
-      if (!asked_of_step(frames.paths()[i], [&] { return f(i, part, Step{from, to}); })) return;
+      if (!asked_of("the step to " + frames.paths()[i].string(), [&] { return f(i, part, Step{from, to}); })) return;
     }
     start = std::move(end);
   }

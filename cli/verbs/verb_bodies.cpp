@@ -1,4 +1,6 @@
 // tamis bodies: the contacts of bodies that stay, move as a whole, or deform.
+#include <fmt/format.h>
+
 #include <array>
 #include <memory>
 #include <optional>
@@ -9,6 +11,7 @@
 #include "cli/output_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/start_check.hpp"
+#include "cli/step_files.hpp"
 #include "cli/verbs/bodies/bodies_film.hpp"
 #include "cli/verbs/bodies/bodies_table.hpp"
 #include "io/bodies/bodies_csv.hpp"
@@ -52,7 +55,7 @@ class Bodies final : public Verb {
     MovingBodies bodies(path_);
     require_output(out_, bodies.inputs(), true);
     const bool is_film = !out_.empty() && io::format_of(out_, kShownAs) == 1;
-    World world = bodies.world(detector_.options());
+    World world = asked_of(step_text(1), [&] { return bodies.world(detector_.options()); });
     BodiesTable table(bodies, json_);
     if (!start_.passes(world)) return table.refuse(start_);
     std::optional<io::BodiesCsv> csv;
@@ -64,9 +67,11 @@ class Bodies final : public Verb {
     table.print_head();
     Progress progress(bodies.step_count(), "steps");
     for (std::size_t step = 1; step <= bodies.step_count(); ++step) {
-      if (step > 1) bodies.go_on(world);
       std::vector<BodyContact> contacts;
-      const Timing timing = ask_repeatedly(world, repeat_, [&] { contacts = world.contacts(own); });
+      const Timing timing = asked_of(step_text(step), [&] {
+        if (step > 1) bodies.go_on(world);
+        return ask_repeatedly(world, repeat_, [&] { contacts = world.contacts(own); });
+      });
       if (csv) csv->add(step, contacts, bodies.names());
       if (film) film->add(step, contacts);
       progress.clear();
@@ -81,6 +86,11 @@ class Bodies final : public Verb {
   }
 
  private:
+  /// For sentences of the library, which knows bodies by their numbers.
+  std::string step_text(std::size_t step) const {
+    return fmt::format("{}: step {}, bodies counted from 0", path_, step);
+  }
+
   std::string path_, out_;
   int repeat_ = 1;
   bool json_ = false;

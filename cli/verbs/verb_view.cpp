@@ -80,7 +80,7 @@ class View final : public MotionVerb {
       const std::vector<Point>& start = recording.frames[i - 1];
       std::vector<Point> end = recording.frames[i];
       io::scale_step(start, end, recording.scale);
-      asked_of_step(frames.paths()[i], [&] {
+      asked_of("the step to " + frames.paths()[i].string(), [&] {
         recording.steps.push_back({detector.contacts({start, end}, own()), detector.statistics().stages});
       });
       progress.show(i);

@@ -135,7 +135,7 @@ TEST_F(BodiesVerb, OptionsReachTheQuestion) {
   EXPECT_EQ(ask(leaves, "--at-start ignore").code, 0);
   const Outcome fails = ask(leaves, "--at-start fail");
   EXPECT_EQ(fails.code, 2);
-  EXPECT_NE(fails.err.find("bodies"), std::string::npos) << fails.err;
+  EXPECT_NE(fails.err.find("scene.json: step 1, bodies counted from 0: vertex 0 and "), std::string::npos) << fails.err;
   std::string apart = leaves;
   apart.replace(apart.rfind(']'), 1, R"(], "may_not_touch": [["p", "floor"]])");
   EXPECT_EQ(ask(apart).code, 0);

@@ -115,6 +115,14 @@ TEST_F(Verbs, ContactsOfLoosePointsAreCounted) {
   EXPECT_NE(out.find("vertex-edge   vertex-vertex\n"), std::string::npos) << out;
 }
 
+// Bug: parts of a way that is longer than the largest double are no numbers, and the frames are blamed.
+TEST_F(Verbs, PartsOfTheLongestStepsAreAsked) {
+  for (const auto& [name, x] : {std::pair{"long/1.obj", "-1.5e308"}, std::pair{"long/2.obj", "1.5e308"}})
+    folder_.write(name, std::string("v ") + x + " 0 0\nv 0 1 0\nv 0 0 1\nv 5 5 5\nf 1 2 3\np 4\n");
+  EXPECT_EQ(folder_.run("sequence long --substeps 2").code, 0);
+  EXPECT_EQ(folder_.run("is-free long --scale 0.1").code, 0);
+}
+
 // Bug: of a thousand steps the one that cannot be asked is not named.
 TEST_F(Verbs, AStepThatIsRefusedIsNamed) {
   folder_.write_frame("stay/1.obj", 2);

@@ -28,12 +28,15 @@ void set_grid(const Recording& recording, QuantisedFrames& result) {
 
 }  // namespace
 
-bool can_quantise(const Recording& recording) {
+std::string_view why_not_quantised(const Recording& recording) {
   const Box box = box_of(recording);
-  bool is_finite = true;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    is_finite = is_finite && std::isfinite(2 * (box.highest[axis] - box.lowest[axis]));
-  return is_finite;
+  double longest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) longest = std::max(longest, box.highest[axis] - box.lowest[axis]);
+  if (!std::isfinite(2 * longest)) return "the mesh is too large for a page, which doubles place: scale it down";
+  // Below, a double has fewer digits, and the page's numbers in the mesh's unit overflow.
+  if (longest > 0 && longest / kFinest < std::numeric_limits<double>::min())
+    return "the mesh is too small for a page, which doubles place: scale it up";
+  return {};
 }
 
 QuantisedFrames quantise(const Recording& recording) {

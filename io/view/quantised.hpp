@@ -1,6 +1,7 @@
 // Positions as integers over the box of all frames.
 #pragma once
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "io/view/recording.hpp"
@@ -14,10 +15,10 @@ struct QuantisedFrames {
   std::vector<std::vector<std::uint32_t>> frames;
 };
 
-/// Is the box of all frames no larger than half the largest double, so that nothing here overflows?
-bool can_quantise(const Recording& recording);
+/// Why the box of all frames is too large or too small for numbers of the grid; empty if it is not.
+std::string_view why_not_quantised(const Recording& recording);
 
-/// REQUIRES: can_quantise(recording). Vertices that nothing uses are put at `lowest`: their positions may be anything.
+/// REQUIRES: why_not_quantised(recording) is empty. Vertices that nothing uses are put at `lowest`: their positions may be anything.
 QuantisedFrames quantise(const Recording& recording);
 
 }  // namespace tamis::io

@@ -52,9 +52,8 @@ void append_base64(AtomicFile& file, std::string_view bytes) {
 }  // namespace
 
 void write_viewer_page(const std::filesystem::path& path, const Recording& recording) {
-  if (!can_quantise(recording))
-    throw FileError(path.string(), "",
-                    "the mesh is too large for a page, which doubles place: scale it down, or write csv or vtp");
+  if (const std::string_view why = why_not_quantised(recording); !why.empty())
+    throw FileError(path.string(), "", fmt::format("{}, or write csv or vtp", why));
   const std::string_view page(tamis_page_begin, static_cast<std::size_t>(tamis_page_end - tamis_page_begin));
   constexpr std::string_view kPlace = "<!--SCENE-->";
   const std::size_t place = page.find(kPlace);

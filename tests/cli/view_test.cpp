@@ -114,6 +114,8 @@ TEST_F(View, WhatADoubleCannotSpanIsNoPage) {
   expect_refused("view near.obj near.obj --out step.html", "step.html: the mesh is too large for a page");
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "step.html"));
   EXPECT_EQ(folder_.run("view near.obj near.obj --out step.vtp").code, 0);
+  folder_.write("tiny.obj", "v 0 0 0\nv 1e-310 0 0\nv 0 1e-310 0\nf 1 2 3\n");
+  expect_refused("view tiny.obj tiny.obj --out step.html", "step.html: the mesh is too small for a page");
   folder_.write("half.obj", "v 0 0 0\nv 1 0 0\nv 0 1 8e307\nf 1 2 3\n");
   EXPECT_EQ(folder_.run("view half.obj half.obj --out step.html").code, 0);
 }

@@ -75,7 +75,10 @@ export const nounOf = (header: Pick<SceneHeader, "names" | "strip">): string =>
 
 /** The sentence for a step or frame without pairs. */
 export function nothingFound(header: SceneHeader, step: StepHeader): string {
-  if (header.strip) return "nothing was found in this frame, nor in the step to it.";
+  if (header.strip)
+    return step.ends && step.ends[0] === step.ends[1]
+      ? "nothing was found in this frame; no step to it was asked about."
+      : "nothing was found in this frame, nor in the step to it.";
   return isPose(header) ? "no edge passes through a triangle or touches one, proven." : withoutContacts(step);
 }
 

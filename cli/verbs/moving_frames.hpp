@@ -9,6 +9,10 @@
 
 namespace tamis::cli {
 
+/// What is said where io::has_own_order().
+inline constexpr const char* kNaturalOrder =
+    "frames are taken in natural order, not as they are given: name two at a time for an order of your own";
+
 class MovingFrames {
  public:
   /// Files, folders and patterns, in natural order; two files stay in the order in which they are given. Reads the

@@ -12,7 +12,9 @@
 #include "cli/output_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/verbs/audit_report.hpp"
+#include "cli/verbs/moving_frames.hpp"
 #include "io/format.hpp"
+#include "io/mesh/frames.hpp"
 #include "io/mesh/mesh_formats.hpp"
 #include "io/motion/motion.hpp"
 #include "io/output/audit_csv.hpp"
@@ -67,6 +69,7 @@ class Audit final : public Verb {
     require_output(out_frames_, files.all(), json_, "csv");
     require_two_outputs(out_, out_frames_);
     const auto source = io::open_motion(files);
+    if (io::has_own_order(names_)) note(kNaturalOrder);
     const auto start = std::chrono::steady_clock::now();
     const audit::Report report = audited(*source);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

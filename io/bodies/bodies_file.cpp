@@ -125,6 +125,7 @@ class Parser {
   std::vector<std::string> frame_paths(const JsonValue& json) const {
     std::vector<std::string> names, paths;
     for (const JsonValue& name : json.items("a list of mesh files, folders or patterns")) names.push_back(name.text());
+    if (has_own_order(names, folder_)) json.fail("frames are taken in natural order, 2 before 10: list them in it");
     if (names.empty()) json.fail("has no frame: name two mesh files or more");
     for (const auto& path : said_of(json, [&] { return moving_files(names, folder_); })) paths.push_back(path.string());
     return paths;

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "io/error.hpp"
+#include "io/mesh/mesh_file.hpp"
 #include "io/mesh/mesh_formats.hpp"
+#include "io/text.hpp"
 
 namespace tamis::io {
 namespace {
@@ -54,6 +57,26 @@ std::vector<std::filesystem::path> mesh_files_in(const std::filesystem::path& fo
   return files;
 }
 
+/// A number that ends a name, and the text before it.
+struct Ending {
+  std::string before;
+  double number;
+};
+
+/// The number as people may mean it, with sign and decimals.
+std::optional<Ending> ending_of(const std::filesystem::path& path) {
+  const std::string name = (path.parent_path() / path.stem()).string();
+  constexpr const char* kDigits = "0123456789";
+  std::size_t first = name.find_last_not_of(kDigits) + 1;
+  if (first == name.size()) return std::nullopt;
+  if (first > 1 && name[first - 1] == '.' && is_digit(name[first - 2]))
+    first = name.find_last_not_of(kDigits, first - 2) + 1;
+  if (first > 0 && name[first - 1] == '-' && (first == 1 || name[first - 2] == '_' || name[first - 2] == '/')) --first;
+  const std::optional<double> number = to_double(std::string_view(name).substr(first));
+  if (!number) return std::nullopt;
+  return Ending{name.substr(0, first), *number};
+}
+
 bool is_file(const std::filesystem::path& path) {
   std::error_code error;
   return std::filesystem::exists(path, error) && !std::filesystem::is_directory(path, error);
@@ -94,6 +117,19 @@ std::vector<std::filesystem::path> frame_files(const std::vector<std::string>& n
   std::stable_sort(files.begin(), files.end(),
                    [](const auto& a, const auto& b) { return natural_less(a.string(), b.string()); });
   return files;
+}
+
+bool has_own_order(const std::vector<std::string>& names, const std::filesystem::path& folder) {
+  return names.size() > 2 && !std::is_sorted(names.begin(), names.end()) &&
+         !std::is_sorted(names.begin(), names.end(), natural_less) &&
+         std::all_of(names.begin(), names.end(), [&](const std::string& name) { return is_file(folder / name); });
+}
+
+std::string doubt_about_order(const std::filesystem::path& before, const std::filesystem::path& file) {
+  const std::optional<Ending> first = ending_of(before), second = ending_of(file);
+  if (!first || !second || first->before != second->before || first->number <= second->number) return {};
+  return fmt::format("it comes after {}: natural order knows neither decimals nor signs; number frames from 0 on",
+                     before.filename().string());
 }
 
 std::vector<std::filesystem::path> moving_files(const std::vector<std::string>& names,

@@ -1,6 +1,7 @@
 #include "io/motion/mesh_frames.hpp"
 
 #include "io/error.hpp"
+#include "io/mesh/frames.hpp"
 
 namespace tamis::io {
 namespace {
@@ -29,7 +30,9 @@ audit::FramePointer MeshFrames::next() {
     frame.name = paths_[i].filename().string();
     frame.problem = error.what();
   }
-  if (!gaps_[i].empty()) frame.note = gaps_[i];
+  const std::string doubt = paths_.size() > 2 ? doubt_about_order(paths_[i - 1], paths_[i]) : "";
+  for (const std::string& sentence : {gaps_[i], doubt})
+    if (!sentence.empty()) frame.note += (frame.note.empty() ? "" : "; ") + sentence;
   frame.follows = gaps_[i].empty();
   return std::make_shared<const audit::Frame>(std::move(frame));
 }

@@ -18,7 +18,8 @@ struct QuantisedFrames {
 /// Why the box of all frames is too large or too small for numbers of the grid; empty if it is not.
 std::string_view why_not_quantised(const Recording& recording);
 
-/// REQUIRES: why_not_quantised(recording) is empty. Vertices that nothing uses are put at `lowest`: their positions may be anything.
+/// REQUIRES: why_not_quantised(recording) is empty. Vertices that nothing uses are put at `lowest`: their positions may
+/// be anything.
 QuantisedFrames quantise(const Recording& recording);
 
 }  // namespace tamis::io

@@ -212,6 +212,8 @@ TEST_F(BodiesVerb, WhatCannotBeUsedIsRefusedWithItsPlace) {
       {with_floor(R"({"frames": ["ball.obj"]})"), "bodies[1].frames: has 1"},
       {with_floor(R"({"frames": ["ball.obj", "none.obj"]})"), "bodies[1].frames: none.obj: "},
       {R"({"bodies": [{"frames": ["ball.obj", "other.obj"]}]})", "other.obj: "},
+      {with_floor(R"({"frames": ["ball.obj", "other.obj", "ball.obj"]})"),
+       "bodies[1].frames: frames are taken in natural"},
       {with_floor(R"({"frames": []})"), "bodies[1].frames: has no frame"},
       {R"({"meshes": {"m": {"points": [[0,0,0]], "faces": [[0,0]]}}, "bodies": [{"mesh": "m"}]})",
        "meshes.m.faces[0]: has 2 vertices"},

@@ -55,6 +55,23 @@ TEST_F(FrameFiles, ListsAndPatternsGiveNaturalOrder) {
   EXPECT_EQ(names_of(frame_files({in_folder("f[12]*.[pP]*")})), expected);
 }
 
+// Bug: an order that was given, or that decimals and signs mean, is changed in silence: another motion is asked about.
+TEST_F(FrameFiles, WhatBecomesOfAnOrderIsSaid) {
+  const std::string one = in_folder("f1.obj"), two = in_folder("f2.PLY"), ten = in_folder("f10.ply");
+  EXPECT_TRUE(has_own_order({two, one, two}));
+  EXPECT_TRUE(has_own_order({one, ten, two, one}));
+  EXPECT_FALSE(has_own_order({one, two, ten}));
+  EXPECT_FALSE(has_own_order({one, ten, two})) << "as a shell has it";
+  EXPECT_FALSE(has_own_order({two, one})) << "two stay as they are given";
+  EXPECT_NE(doubt_about_order("s_0.5.obj", "s_0.25.obj"), "");
+  EXPECT_NE(doubt_about_order("a/s_-1.obj", "a/s_-2.obj"), "");
+  EXPECT_NE(doubt_about_order("-1.obj", "-2.obj"), "");
+  for (const auto& [before, file] :
+       {std::pair{"s_0.25.obj", "s_0.5.obj"}, std::pair{"s-1.obj", "s-2.obj"}, std::pair{"s_9.obj", "s_10.obj"},
+        std::pair{"a9.obj", "b1.obj"}, std::pair{"s.0001.obj", "s.0002.obj"}, std::pair{"s.obj", "s1.obj"}})
+    EXPECT_EQ(doubt_about_order(before, file), "") << file;
+}
+
 TEST_F(FrameFiles, ANameThatExistsIsNoPattern) {
   EXPECT_EQ(names_of(frame_files({in_folder("odd[1].ply")})), (std::vector<std::string>{"odd[1].ply"}));
 }

@@ -1,4 +1,4 @@
-// One mistake at a time, by its number; the compiler must not take it, and say what stands behind it.
+// Each block after "says" is a mistake: the compiler must not take it, and say what stands there. It must take the rest.
 #include <Eigen/Core>
 #include <tamis/tamis.hpp>
 
@@ -9,26 +9,33 @@ std::vector<tamis::Point> make_points();
 int main() {
   tamis::Detector detector(tamis::Mesh(3, {{0, 1, 2}}));
   const RowMajor x = RowMajor::Zero(3, 3), v = x;
-#ifndef MISTAKE
-  const RowMajor y = x + v;
-  detector.contacts({x, y});
-#elif MISTAKE == 1  // says: A temporary may be gone when the question is asked: keep it in a variable.
-  const tamis::Step step{x, (x + v).eval()};
-#elif MISTAKE == 2  // says: A temporary may be gone when the question is asked: keep it in a variable.
-  const tamis::Positions positions = make_points();
-#elif MISTAKE == 3  // says: Floats, or an expression without memory? tamis::points_of(x) copies it as doubles.
-  const tamis::Step step{x, x + v};
-#elif MISTAKE == 4  // says: Floats, or an expression without memory? tamis::points_of(x) copies it as doubles.
-  const Eigen::MatrixX3f floats = Eigen::MatrixX3f::Zero(3, 3);
-  detector.pairs_within(floats, 1);
-#elif MISTAKE == 5  // says: Floats? tamis::points_of(x).
-  const std::vector<Eigen::Vector3f> floats(3);
-  const tamis::Step step{floats, floats};
-#elif MISTAKE == 6  // says: Flat doubles, x y z x y z? Positions(data, vertices).
-  const std::vector<double> flat(9);
-  detector.pairs_within(flat, 1);
-#elif MISTAKE == 7  // says: Column-major? Use a RowMajor matrix, a Matrix3Xd, or tamis::points_of(matrix).
-  const Eigen::MatrixXd columns = x;
-  detector.pairs_within(columns, 1);
-#endif
+  {
+    const RowMajor y = x + v;
+    detector.contacts({x, y});
+  }
+  {  // says: A temporary may be gone when the question is asked: keep it in a variable.
+    const tamis::Step step{x, (x + v).eval()};
+  }
+  {  // says: A temporary may be gone when the question is asked: keep it in a variable.
+    const tamis::Positions positions = make_points();
+  }
+  {  // says: Floats, or an expression without memory? tamis::points_of(x) copies it as doubles.
+    const tamis::Step step{x, x + v};
+  }
+  {  // says: Floats, or an expression without memory? tamis::points_of(x) copies it as doubles.
+    const Eigen::MatrixX3f floats = Eigen::MatrixX3f::Zero(3, 3);
+    detector.pairs_within(floats, 1);
+  }
+  {  // says: Floats? tamis::points_of(x).
+    const std::vector<Eigen::Vector3f> floats(3);
+    const tamis::Step step{floats, floats};
+  }
+  {  // says: Flat doubles, x y z x y z? Positions(data, vertices).
+    const std::vector<double> flat(9);
+    detector.pairs_within(flat, 1);
+  }
+  {  // says: Column-major? Use a RowMajor matrix, a Matrix3Xd, or tamis::points_of(matrix).
+    const Eigen::MatrixXd columns = x;
+    detector.pairs_within(columns, 1);
+  }
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# nightly.sh: runs all tests, and checks that take too long for every day: each source compiled by itself, programs and
-# tests compiled and linked by clang, clang-tidy over all sources, both sanitizers, the unit tests on 64-bit ARM, an hour of attacks and 50 minutes of fuzzing. Takes some four
-# hours on two cores. Goes on after a failure, and names the failures at the end.
+# nightly.sh: runs all tests, and checks that take too long for every day: each source compiled by itself, everything
+# compiled and linked by clang, clang-tidy over all sources, both sanitizers, the unit tests on 64-bit ARM, an hour of attacks
+# and 50 minutes of fuzzing. Takes some four hours on two cores. Goes on after a failure, and names the failures at the end.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,49 +1,76 @@
 #include "adapters/bullet/carriers.hpp"
 
 #include <algorithm>
-#include <map>
+#include <array>
+#include <cmath>
+#include <unordered_map>
 
 namespace tamis::bullet {
 namespace {
 
 /// Rounds over the contacts of one body with its carriers, which are few; the clamp holds back what these rounds leave.
 constexpr int kRounds = 20;
+/// In gaps a step: rounds that change no speed by more than this are the last ones.
+constexpr btScalar kSettled = 1e-3F;
 /// The part of a missing gap that one step restores. As in solvers a gap is restored over some steps, so that a body is
 /// not pushed into what lies on it.
 constexpr btScalar kParted = 0.5F;
 
-/// The speed along `up` that an impulse of 1 along it gives to the body at `arm` from its origin.
-btScalar give_of(const btRigidBody& body, const btVector3& arm, const btVector3& up) {
-  return body.getInvMass() + (body.getInvInertiaTensorWorld() * arm.cross(up)).cross(arm).dot(up);
-}
-
 }  // namespace
 
-void Carriers::Contact::push() {
-  btVector3 speed = body->getVelocityInLocalPoint(arm);
-  if (other) speed -= other->getVelocityInLocalPoint(other_arm);
-  if (!(give > 0)) return;  // a body on an axle
-  const btScalar before = impulse;
-  impulse = std::max(btScalar(0), before - (speed.dot(up) + allowed + softness * before) / (give + softness));
-  body->applyImpulse(up * (impulse - before), arm);
-  if (other_gives) other->applyImpulse(up * (before - impulse), other_arm);
+Carriers::Answer::Answer(const NearSide& side, const btVector3& way)
+    : body(btRigidBody::upcast(side.object)), direction(way) {
+  if (!body) return;
+  const btVector3 arm = side.point() - body->getWorldTransform().getOrigin();
+  about = arm.cross(direction);
+  linear = direction * body->getLinearFactor() * body->getInvMass();
+  angular = body->getInvInertiaTensorWorld() * arm.cross(direction * body->getLinearFactor()) * body->getAngularFactor();
 }
 
-Carriers::Carriers(std::span<const NearContact> near, btScalar gap, btScalar seconds) : seconds_(seconds) {
-  std::map<const btCollisionObject*, std::size_t> known;
-  for (const NearContact& contact : near)
-    for (const NearSide& side : contact.sides)
-      if (known.try_emplace(side.object, bodies_.size()).second) bodies_.push_back({side.object, {}});
-  for (const NearContact& contact : near)
+btScalar Carriers::Answer::speed() const {
+  return body ? body->getLinearVelocity().dot(direction) + body->getAngularVelocity().dot(about) : btScalar(0);
+}
+
+void Carriers::Answer::push(btScalar impulse) const {
+  body->setLinearVelocity(body->getLinearVelocity() + linear * impulse);
+  body->setAngularVelocity(body->getAngularVelocity() + angular * impulse);
+}
+
+btScalar Carriers::Contact::push() {
+  if (!(give > 0)) return 0;  // a body on an axle
+  const btScalar before = impulse;
+  const btScalar speed = body.speed() - other.speed();
+  impulse = std::max(btScalar(0), before - (speed + allowed + softness * before) / (give + softness));
+  body.push(impulse - before);
+  if (other_gives) other.push(before - impulse);
+  return std::abs(impulse - before) * give;
+}
+
+Carriers::Carriers(std::span<const NearContact> near, btScalar gap, btScalar seconds) : gap_(gap), seconds_(seconds) {
+  std::unordered_map<const btCollisionObject*, std::size_t> known;
+  for (const NearContact& contact : near) {
+    std::array<std::size_t, 2> at{};
     for (const std::size_t i : {0U, 1U}) {
-      const NearSide &above = contact.sides[i], &below = contact.sides[1 - i];
-      bodies_[known.at(above.object)].contacts.push_back(
-          {btRigidBody::upcast(above.object), btRigidBody::upcast(below.object), known.at(below.object),
-           above.point() - above.object->getWorldTransform().getOrigin(),
-           below.point() - below.object->getWorldTransform().getOrigin(), i == 0 ? contact.normal : -contact.normal,
-           contact.distance() - gap});
+      const auto [place, is_new] = known.try_emplace(contact.sides[i].object, bodies_.size());
+      if (is_new) bodies_.push_back({contact.sides[i].object, {}});
+      at[i] = place->second;
     }
+    for (const std::size_t i : {0U, 1U}) bodies_[at[i]].contacts.push_back({&contact, i, at[1 - i]});
+  }
   find_levels();
+  for (const std::size_t i : order_) keep_carriers(bodies_[i]);
+}
+
+void Carriers::keep_carriers(Body& body) {
+  std::erase_if(body.contacts, [&](const Contact& contact) { return bodies_[contact.other_at].level >= body.level; });
+  for (Contact& contact : body.contacts) {
+    const NearContact& near = *contact.near;
+    const btVector3 up = contact.side == 0 ? near.normal : -near.normal;
+    contact.body = Answer(near.sides[contact.side], up);
+    contact.other = Answer(near.sides[1 - contact.side], up);
+    contact.above_gap = near.distance() - gap_;
+    contact.give = contact.body.give() + (contact.other_gives ? contact.other.give() : btScalar(0));
+  }
 }
 
 /// Breadth first, from the objects that stand; then, in each group without one, from its heaviest body.
@@ -71,7 +98,7 @@ void Carriers::find_levels() {
       const std::size_t i = reached[next];
       if (bodies_[i].level > 0) order_.push_back(i);
       for (Contact& contact : bodies_[i].contacts) {
-        contact.other_gives = nothing_stands && contact.other;
+        contact.other_gives = nothing_stands && btRigidBody::upcast(bodies_[contact.other_at].object);
         reach(contact.other_at, bodies_[i].level + 1);
       }
     }
@@ -81,17 +108,18 @@ void Carriers::find_levels() {
 template <class Allowed>
 void Carriers::push(const Allowed& allowed, bool is_soft) {
   for (const std::size_t i : order_) {
-    std::vector<Contact*> below;
-    for (Contact& contact : bodies_[i].contacts) {
+    std::vector<Contact>& contacts = bodies_[i].contacts;
+    for (Contact& contact : contacts) {
       contact.impulse = 0;
-      contact.give = give_of(*contact.body, contact.arm, contact.up);
-      if (contact.other_gives) contact.give += give_of(*contact.other, contact.other_arm, contact.up);
       contact.softness = is_soft && contact.above_gap < 0 ? contact.give : 0;
       contact.allowed = allowed(contact.above_gap) / seconds_;
-      if (bodies_[contact.other_at].level < bodies_[i].level) below.push_back(&contact);
     }
-    for (int round = 0; round < kRounds; ++round)
-      for (Contact* const contact : below) contact->push();
+    const btScalar settled = kSettled * gap_ / seconds_;
+    btScalar change = 2 * settled;
+    for (int round = 0; round < kRounds && change > settled; ++round) {
+      change = 0;
+      for (Contact& contact : contacts) change = std::max(change, contact.push());
+    }
   }
 }
 

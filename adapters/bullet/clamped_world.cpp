@@ -120,16 +120,15 @@ bool ClampedWorld::collides(const adapters::BodyPair& bodies) const {
 
 template <class Pair>
 std::array<NearFeature, 2> ClampedWorld::features_of(const Pair& pair) const {
-  const auto weights = weights_of(pair.kind, pair.u, pair.v);
+  const auto all = weights_of(pair.kind, pair.u, pair.v);
   const std::span<const Index> vertices(pair.vertices);
-  const Member &first = members_.at(pair.bodies[0]), &second = members_.at(pair.bodies[1]);
-  const auto feature = [&](const Member& member, std::size_t from, std::size_t number, double sign) {
-    NearFeature of{member.object, *member.shape.surface, vertices.subspan(from, number), {}};
-    for (std::size_t i = 0; i < number; ++i) of.weights[i] = sign * weights[from + i];
-    return of;
-  };
   const std::size_t of_first = pair.kind == PairKind::edge_edge ? 2 : 1;
-  return {feature(first, 0, of_first, 1), feature(second, of_first, 4 - of_first, -1)};
+  std::array<std::array<double, 3>, 2> weights{};
+  for (std::size_t i = 0; i < all.size(); ++i)
+    (i < of_first ? weights[0][i] : weights[1][i - of_first]) = i < of_first ? all[i] : -all[i];
+  const auto surface = [&](std::size_t i) -> const Surface& { return *members_.at(pair.bodies[i]).shape.surface; };
+  return {NearFeature(surface(0), vertices.first(of_first), weights[0]),
+          NearFeature(surface(1), vertices.subspan(of_first), weights[1])};
 }
 
 namespace {
@@ -140,38 +139,50 @@ bool is_said_by_a_vertex(const BodyNearPair& pair) {
   return pair.kind == PairKind::edge_edge && (is_end(pair.u) || is_end(pair.v));
 }
 
-NearContact contact_at(const std::array<BodyId, 2>& bodies, const std::array<NearFeature, 2>& features,
-                       const btVector3& normal) {
-  const adapters::BodyPair pair = adapters::pair_of(bodies);
-  if (pair == bodies) return {pair, {features[0].side(), features[1].side()}, normal};
-  return {pair, {features[1].side(), features[0].side()}, -normal};
+/// Does another pair of the same bodies have the same nearest points? Of two vertices the first is that of the smaller
+/// body.
+bool is_said_by_another(const BodyNearPair& pair, const std::array<NearFeature, 2>& features) {
+  return features[0].is_repeated() || features[1].is_repeated() ||
+         (pair.bodies[0] > pair.bodies[1] && features[0].is_vertex() && features[1].is_vertex());
 }
 
 }  // namespace
 
-void ClampedWorld::add_near(std::span<const BodyNearPair> pairs) {
-  const adapters::BodyPair bodies = adapters::pair_of(pairs[0].bodies);
-  if (overlapping_.contains(bodies) || !collides(bodies)) return;
-  NearBodies& near = near_.try_emplace(bodies, NearBodies{2 * options_.gap, {}}).first->second;
-  std::vector<NearContact> contacts = std::move(near.contacts);
-  for (const BodyNearPair& pair : pairs) {
-    if (!(pair.distance > 0) || is_said_by_a_vertex(pair)) continue;
-    const btVector3 normal = vector_of(pair.direction);
-    const std::array<NearFeature, 2> features = features_of(pair);
-    const NearContact contact = contact_at(pair.bodies, features, normal);
-    near.distance = std::min(near.distance, double{contact.distance()});
-    if (features[0].is_nearest(-normal) && features[1].is_nearest(normal)) contacts.push_back(contact);
-  }
-  near.contacts = essential(contacts);
+NearContact ClampedWorld::contact_at(const std::array<BodyId, 2>& bodies, const std::array<NearFeature, 2>& features,
+                                     const btVector3& normal) const {
+  const adapters::BodyPair pair = adapters::pair_of(bodies);
+  const auto side = [&](std::size_t i) { return NearSide{members_.at(bodies[i]).object, features[i].point}; };
+  if (pair == bodies) return {pair, {side(0), side(1)}, normal};
+  return {pair, {side(1), side(0)}, -normal};
+}
+
+void ClampedWorld::add_near(const BodyNearPair& pair, NearBodies& near) const {
+  if (!(pair.distance > 0)) return;
+  near.distance = std::min(near.distance, pair.distance);
+  if (is_said_by_a_vertex(pair)) return;
+  const std::array<NearFeature, 2> features = features_of(pair);
+  if (is_said_by_another(pair, features)) return;
+  const btVector3 normal = vector_of(pair.direction);
+  const auto local = [&](std::size_t i, const btVector3& v) {
+    return members_.at(pair.bodies[i]).place.getBasis().transpose() * v;
+  };
+  if (features[0].is_nearest(local(0, -normal)) && features[1].is_nearest(local(1, normal)))
+    near.contacts.push_back(contact_at(pair.bodies, features, normal));
 }
 
 void ClampedWorld::find_near() {
   near_.clear();
   const std::vector<BodyNearPair> pairs = bodies_.pairs_within(2 * options_.gap);
-  for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
-    while (end < pairs.size() && pairs[end].bodies == pairs[begin].bodies) ++end;
-    add_near(std::span(pairs).subspan(begin, end - begin));
+  for (auto pair = pairs.begin(); pair != pairs.end();) {
+    const auto end = std::find_if(pair, pairs.end(), [&](const auto& other) { return other.bodies != pair->bodies; });
+    const adapters::BodyPair bodies = adapters::pair_of(pair->bodies);
+    if (!overlapping_.contains(bodies) && collides(bodies)) {
+      NearBodies& near = near_.try_emplace(bodies, NearBodies{2 * options_.gap, {}}).first->second;
+      std::for_each(pair, end, [&](const BodyNearPair& one) { add_near(one, near); });
+    }
+    pair = end;
   }
+  for (auto& [bodies, near] : near_) near.contacts = essential(near.contacts);
 }
 
 void ClampedWorld::createPredictiveContacts(btScalar seconds) {

@@ -95,8 +95,10 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   template <class Pair>
   std::array<NearFeature, 2> features_of(const Pair& pair) const;
   void find_near();
-  /// Of pairs of features of two bodies, which are near where the bodies are now.
-  void add_near(std::span<const BodyNearPair> pairs);
+  /// Adds what the pair of features says of its bodies, where they are now.
+  void add_near(const BodyNearPair& pair, NearBodies& near) const;
+  NearContact contact_at(const std::array<BodyId, 2>& bodies, const std::array<NearFeature, 2>& features,
+                         const btVector3& normal) const;
 
   adapters::ClampOptions options_;
   World bodies_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "adapters/bullet/mesh_of_shape.hpp"
 
@@ -19,64 +20,95 @@ constexpr btScalar kNormalSteps = 1000;
 /// Weights below this belong to vertices on which the nearest point does not lie.
 constexpr double kNoWeight = 1e-6;
 
-btVector3 place_of(const Shape& mesh, Index vertex) {
-  return vector_of(mesh.points()[static_cast<std::size_t>(vertex)]);
+}  // namespace
+
+Surface::Surface(const Shape& shape) : mesh(shape), radius(0), faces_at(shape.points().size()) {
+  for (const Point& p : mesh.points()) {
+    radius = std::max(radius, std::hypot(p[0], p[1], p[2]));
+    points.push_back(vector_of(p));
+  }
+  for (const Face& face : mesh.mesh().faces())
+    for (const Index vertex : face) faces_at[static_cast<std::size_t>(vertex)].push_back(face);
+}
+
+NearFeature::NearFeature(const Surface& of, std::span<const Index> its, const std::array<double, 3>& nearest)
+    : surface(of),
+      vertices(its),
+      weights(nearest),
+      heaviest(static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin())),
+      point(0, 0, 0) {
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (vertices[i] >= 0)
+      point += surface.points[static_cast<std::size_t>(vertices[i])] * static_cast<btScalar>(weights[i]);
+}
+
+std::span<const Face> NearFeature::faces() const {
+  return surface.faces_at[static_cast<std::size_t>(vertices[heaviest])];
+}
+
+bool NearFeature::lies_on(const Face& face) const {
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (weights[i] > kNoWeight && std::ranges::find(face, vertices[i]) == face.end()) return false;
+  return true;
+}
+
+bool NearFeature::is_repeated() const {
+  if (vertices.size() < 3) return false;
+  const auto first = std::ranges::find_if(faces(), [&](const Face& face) { return lies_on(face); });
+  return first != faces().end() && !std::ranges::equal(*first, vertices);
+}
+
+bool NearFeature::is_nearest(const btVector3& outward) const {
+  const auto leads_away = [&](Index vertex) {
+    const btVector3 way = surface.points[static_cast<std::size_t>(vertex)] - point;
+    const btScalar along = way.dot(outward);
+    return along <= 0 || along * along <= kLeadsAway * kLeadsAway * way.length2();
+  };
+  return std::ranges::all_of(
+      faces(), [&](const Face& face) { return !lies_on(face) || std::ranges::all_of(face, leads_away); });
+}
+
+namespace {
+
+/// A contact, where it is needed to choose among those of two bodies.
+struct Choice {
+  std::array<long, 3> normal;  ///< in steps
+  std::size_t number;
+  btVector3 point;
+  btScalar distance;
+};
+
+std::vector<Choice> by_normal(std::span<const NearContact> contacts) {
+  std::vector<Choice> choices;
+  choices.reserve(contacts.size());
+  for (const NearContact& contact : contacts) {
+    const btVector3 steps = kNormalSteps * contact.normal;
+    choices.push_back({{std::lround(steps.x()), std::lround(steps.y()), std::lround(steps.z())},
+                       choices.size(),
+                       contact.sides[0].point(),
+                       contact.distance()});
+  }
+  std::ranges::sort(choices, {}, [](const Choice& choice) { return std::tie(choice.normal, choice.number); });
+  return choices;
 }
 
 }  // namespace
 
-Surface::Surface(const Shape& shape) : mesh(shape), radius(0), faces_at(shape.points().size()) {
-  for (const Point& p : mesh.points()) radius = std::max(radius, std::hypot(p[0], p[1], p[2]));
-  const auto faces = mesh.mesh().faces();
-  for (std::size_t face = 0; face < faces.size(); ++face)
-    for (const Index vertex : faces[face])
-      faces_at[static_cast<std::size_t>(vertex)].push_back(static_cast<Index>(face));
-}
-
-NearSide NearFeature::side() const {
-  btVector3 local(0, 0, 0);
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    if (vertices[i] >= 0) local += place_of(surface.mesh, vertices[i]) * static_cast<btScalar>(weights[i]);
-  return {object, local};
-}
-
-bool NearFeature::is_nearest(const btVector3& outward) const {
-  const btVector3 local = side().local, direction = object->getWorldTransform().getBasis().transpose() * outward;
-  const auto has_point = [&](const Face& face) {
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      if (weights[i] > kNoWeight && std::ranges::find(face, vertices[i]) == face.end()) return false;
-    return true;
-  };
-  const auto leads_away = [&](Index vertex) {
-    const btVector3 way = place_of(surface.mesh, vertex) - local;
-    return way.dot(direction) <= kLeadsAway * way.length();
-  };
-  const auto heaviest = static_cast<std::size_t>(std::ranges::max_element(weights) - weights.begin());
-  return std::ranges::all_of(surface.faces_at[static_cast<std::size_t>(vertices[heaviest])], [&](Index index) {
-    const Face& face = surface.mesh.mesh().faces()[static_cast<std::size_t>(index)];
-    return !has_point(face) || std::ranges::all_of(face, leads_away);
-  });
-}
-
 std::vector<NearContact> essential(std::span<const NearContact> contacts) {
-  std::map<std::array<int, 3>, std::vector<std::size_t>> by_normal;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    std::array<int, 3> steps{};
-    for (int k = 0; k < 3; ++k)
-      steps[static_cast<std::size_t>(k)] = static_cast<int>(std::lround(kNormalSteps * contacts[i].normal[k]));
-    by_normal[steps].push_back(i);
-  }
+  const std::vector<Choice> choices = by_normal(contacts);
   std::vector<bool> is_kept(contacts.size());
-  const auto keep_least = [&](const std::vector<std::size_t>& among, const auto& value) {
-    is_kept[*std::ranges::min_element(among, {}, [&](std::size_t i) { return value(contacts[i]); })] = true;
+  const auto keep_least = [&](std::span<const Choice> among, const auto& value) {
+    is_kept[std::ranges::min_element(among, {}, value)->number] = true;
   };
-  for (const auto& [steps, among] : by_normal) {
+  for (auto begin = choices.begin(), end = begin; begin != choices.end(); begin = end) {
+    end = std::find_if(begin, choices.end(), [&](const Choice& other) { return other.normal != begin->normal; });
+    const std::span<const Choice> among(begin, end);
     btVector3 x, y;
-    btPlaneSpace1(contacts[among[0]].normal, x, y);
-    keep_least(among, [](const NearContact& contact) { return contact.distance(); });
+    btPlaneSpace1(contacts[begin->number].normal, x, y);
+    keep_least(among, [](const Choice& choice) { return choice.distance; });
     for (const btVector3& way : {x, y, x + y, x - y})
       for (const btScalar sign : {-1.0F, 1.0F})
-        keep_least(among, [&](const NearContact& contact) { return sign * way.dot(contact.sides[0].point()); });
+        keep_least(among, [&](const Choice& choice) { return sign * way.dot(choice.point); });
   }
   std::vector<NearContact> kept;
   for (std::size_t i = 0; i < contacts.size(); ++i)

@@ -37,8 +37,9 @@ struct Surface {
   explicit Surface(const Shape& shape);
 
   Shape mesh;
-  double radius;                             ///< the largest distance of its points from the origin
-  std::vector<std::vector<Index>> faces_at;  ///< for each vertex the faces that it belongs to
+  double radius;                            ///< the largest distance of its points from the origin
+  std::vector<btVector3> points;            ///< of the mesh, in Bullet's floats
+  std::vector<std::vector<Face>> faces_at;  ///< for each vertex the faces that it belongs to
 };
 
 /// Of contacts of two bodies those that say as much as all, in the same order: among contacts with one normal (within
@@ -46,18 +47,28 @@ struct Surface {
 /// on each other have some sixty pairs of near features, and a support of four corners.
 std::vector<NearContact> essential(std::span<const NearContact> contacts);
 
-/// One feature of a near pair: its vertices, with the weights of its nearest point.
+/// One feature of a near pair: its vertices, with the weights of its nearest point. Keeps references.
 struct NearFeature {
-  btCollisionObject* object;
-  const Surface& surface;
-  std::span<const Index> vertices;  ///< keeps a reference; entries below 0 are none
-  std::array<double, 3> weights;
+  /// Entries of `vertices` below 0 are none.
+  NearFeature(const Surface& surface, std::span<const Index> vertices, const std::array<double, 3>& weights);
 
-  NearSide side() const;
-  /// Do the faces around the point lead away from the direction `outward` (in the world's frame), up to a few degrees?
+  const Surface& surface;
+  std::span<const Index> vertices;
+  std::array<double, 3> weights;
+  std::size_t heaviest;  ///< the place of the largest weight
+  btVector3 point;       ///< the nearest one, in the frame of the body
+
+  bool is_vertex() const { return weights[heaviest] == 1; }
+  /// Is it a face, and has a face before it the point, too? The pair of that one says as much.
+  bool is_repeated() const;
+  /// Do the faces around the point lead away from the direction `outward` (in the body's frame), up to a few degrees?
   /// If not, a point beside it is nearer, and `outward` is no direction in which to push: two edges of boxes that lie
   /// exactly on each other would push sideways, and so would an edge between two coplanar faces.
   bool is_nearest(const btVector3& outward) const;
+
+ private:
+  std::span<const Face> faces() const;  ///< at the heaviest vertex
+  bool lies_on(const Face& face) const;
 };
 
 /// Contact points of near pairs for Bullet's solver, made anew in each step; those of two objects share a manifold. The

@@ -33,8 +33,14 @@ double length(const Point& v) { return std::hypot(v[0], v[1], v[2]); }
 class Clamp {
  public:
   Clamp(World& world, const WantedStep& step, const std::set<BodyPair>& overlapping, const ClampOptions& options)
-      : world_(world), step_(step), overlapping_(overlapping), options_(options), approaches_(step.approaches()) {
+      : world_(world), step_(step), overlapping_(overlapping), options_(options) {
     for (const BodyId body : step.moving()) fractions_[body] = 1;
+    const auto fraction = [&](BodyId body) {
+      const auto known = fractions_.find(body);
+      return known == fractions_.end() ? nullptr : &known->second;
+    };
+    for (const Approach& approach : step.approaches())
+      approaches_.push_back({approach, {fraction(approach.bodies[0]), fraction(approach.bodies[1])}});
   }
 
   ClampedStep run() {
@@ -53,6 +59,10 @@ class Clamp {
   }
 
  private:
+  struct KnownApproach : Approach {
+    std::array<double*, 2> fractions;  ///< in `fractions_`; null for a body that stays
+  };
+
   /// Shortens ways so that bodies keep apart at the approaches, to first order. It sweeps forwards and backwards
   /// through the approaches, as followers have followers. Returns the bodies whose fractions change.
   std::set<BodyId> hold_back_followers() {
@@ -60,25 +70,25 @@ class Clamp {
     bool changes = true;
     for (int sweep = 0; changes && sweep < kMostSweeps; ++sweep) {
       changes = false;
-      for (const Approach& approach : approaches_) changes |= hold_back_at(approach, slower);
+      for (const KnownApproach& approach : approaches_) changes |= hold_back_at(approach, slower);
       std::ranges::reverse(approaches_);
     }
     return slower;
   }
 
-  bool hold_back_at(const Approach& approach, std::set<BodyId>& slower) {
+  bool hold_back_at(const KnownApproach& approach, std::set<BodyId>& slower) {
     double closing = 0, parting = 0;
     for (const std::size_t i : {0U, 1U}) {
-      if (!fractions_.contains(approach.bodies[i])) continue;
-      const double way = fractions_.at(approach.bodies[i]) * approach.closing[i];
+      if (!approach.fractions[i]) continue;
+      const double way = *approach.fractions[i] * approach.closing[i];
       (way > 0 ? closing : parting) += way;
     }
     const double kept = std::clamp(approach.distance / 2, kLeastDistance * options_.gap, options_.gap);
     const double allowed = std::max(0.0, approach.distance - kept) - parting;
     if (closing <= allowed * (1 + kTolerance)) return false;
     for (const std::size_t i : {0U, 1U}) {
-      if (!fractions_.contains(approach.bodies[i]) || approach.closing[i] <= 0) continue;
-      fractions_.at(approach.bodies[i]) *= allowed / closing;
+      if (!approach.fractions[i] || approach.closing[i] <= 0) continue;
+      *approach.fractions[i] *= allowed / closing;
       slower.insert(approach.bodies[i]);
     }
     return true;
@@ -163,8 +173,8 @@ class Clamp {
   const WantedStep& step_;
   const std::set<BodyPair>& overlapping_;
   const ClampOptions& options_;
-  std::vector<Approach> approaches_;
   std::map<BodyId, double> fractions_;
+  std::vector<KnownApproach> approaches_;
   std::map<BodyId, double> travels_;  ///< for each body of moving(), a bound of how far any of its points goes
 };
 

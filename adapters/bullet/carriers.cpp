@@ -24,7 +24,8 @@ Carriers::Answer::Answer(const NearSide& side, const btVector3& way)
   const btVector3 arm = side.point() - body->getWorldTransform().getOrigin();
   about = arm.cross(direction);
   linear = direction * body->getLinearFactor() * body->getInvMass();
-  angular = body->getInvInertiaTensorWorld() * arm.cross(direction * body->getLinearFactor()) * body->getAngularFactor();
+  angular =
+      body->getInvInertiaTensorWorld() * arm.cross(direction * body->getLinearFactor()) * body->getAngularFactor();
 }
 
 btScalar Carriers::Answer::speed() const {

@@ -40,13 +40,13 @@ class Carriers {
   };
   struct Contact {
     const NearContact* near;
-    std::size_t side;       ///< the body's
-    std::size_t other_at;   ///< among bodies_
+    std::size_t side;              ///< the body's
+    std::size_t other_at;          ///< among bodies_
     Answer body = {}, other = {};  ///< along the unit vector from the other to the body; once levels are known
-    btScalar above_gap = 0; ///< the distance, less the gap
-    btScalar give = 0;      ///< the speed by which both part if an impulse of 1 acts
-    btScalar allowed = 0;   ///< how fast the body may come nearer
-    btScalar softness = 0;  ///< the speed towards the other that an impulse of 1 leaves; 0: none
+    btScalar above_gap = 0;        ///< the distance, less the gap
+    btScalar give = 0;             ///< the speed by which both part if an impulse of 1 acts
+    btScalar allowed = 0;          ///< how fast the body may come nearer
+    btScalar softness = 0;         ///< the speed towards the other that an impulse of 1 leaves; 0: none
     btScalar impulse = 0;
     bool other_gives = false;  ///< where nothing stands
 

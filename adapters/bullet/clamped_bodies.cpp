@@ -42,8 +42,9 @@ ClampedWorld::KnownShape ClampedWorld::known_of(const btCollisionObject& object)
 
 void ClampedWorld::join(btCollisionObject* object, const KnownShape& shape) {
   const btTransform& place = object->getWorldTransform();
-  const BodyId id = bodies_.add(shape.surface->mesh, motion_at(*object, pose_of(place)));
-  members_.emplace(id, Member{object, shape, place, object->isActive()});
+  const Pose pose = pose_of(place);
+  const BodyId id = bodies_.add(shape.surface->mesh, motion_at(*object, pose));
+  members_.emplace(id, Member{object, shape, place, pose, object->isActive()});
 }
 
 void ClampedWorld::leave(const btCollisionObject* object) {
@@ -80,8 +81,10 @@ void ClampedWorld::removeRigidBody(btRigidBody* body) {
 
 void ClampedWorld::put(BodyId id, Member& member) {
   const btTransform& place = member.object->getWorldTransform();
-  bodies_.move(id, motion_at(*member.object, pose_of(place)));
+  const Pose pose = pose_of(place);
+  bodies_.move(id, motion_at(*member.object, pose));
   member.place = place;
+  member.pose = pose;
   member.is_active = member.object->isActive();
 }
 

@@ -71,7 +71,9 @@ class ClampedWorld::Step final : public adapters::WantedStep {
   }
 
   std::span<const BodyId> moving() const override { return moving_; }
-  Pose pose(BodyId body, double fraction) const override { return pose_of(place(body, fraction)); }
+  Pose pose(BodyId body, double fraction) const override {
+    return fraction > 0 ? pose_of(place(body, fraction)) : world_.members_.at(body).pose;
+  }
   double radius(BodyId body) const override { return world_.members_.at(body).shape.surface->radius; }
   bool collides(const adapters::BodyPair& bodies) const override { return world_.collides(bodies); }
 
@@ -118,19 +120,6 @@ bool ClampedWorld::collides(const adapters::BodyPair& bodies) const {
          m_dispatcher1->needsCollision(a, b) && a->hasContactResponse() && b->hasContactResponse();
 }
 
-template <class Pair>
-std::array<NearFeature, 2> ClampedWorld::features_of(const Pair& pair) const {
-  const auto all = weights_of(pair.kind, pair.u, pair.v);
-  const std::span<const Index> vertices(pair.vertices);
-  const std::size_t of_first = pair.kind == PairKind::edge_edge ? 2 : 1;
-  std::array<std::array<double, 3>, 2> weights{};
-  for (std::size_t i = 0; i < all.size(); ++i)
-    (i < of_first ? weights[0][i] : weights[1][i - of_first]) = i < of_first ? all[i] : -all[i];
-  const auto surface = [&](std::size_t i) -> const Surface& { return *members_.at(pair.bodies[i]).shape.surface; };
-  return {NearFeature(surface(0), vertices.first(of_first), weights[0]),
-          NearFeature(surface(1), vertices.subspan(of_first), weights[1])};
-}
-
 namespace {
 
 /// Two edges that are nearest at an end of one: that vertex and the other's face or edge are a pair, too.
@@ -148,26 +137,57 @@ bool is_said_by_another(const BodyNearPair& pair, const std::array<NearFeature, 
 
 }  // namespace
 
-NearContact ClampedWorld::contact_at(const std::array<BodyId, 2>& bodies, const std::array<NearFeature, 2>& features,
-                                     const btVector3& normal) const {
-  const adapters::BodyPair pair = adapters::pair_of(bodies);
-  const auto side = [&](std::size_t i) { return NearSide{members_.at(bodies[i]).object, features[i].point}; };
-  if (pair == bodies) return {pair, {side(0), side(1)}, normal};
-  return {pair, {side(1), side(0)}, -normal};
-}
+/// Two bodies, in the order in which pairs of their features have them.
+class ClampedWorld::Meeting {
+ public:
+  Meeting(const std::array<BodyId, 2>& bodies, const Member& first, const Member& second)
+      : pair_(adapters::pair_of(bodies)), is_in_order_(pair_ == bodies), members_{&first, &second} {}
 
-void ClampedWorld::add_near(const BodyNearPair& pair, NearBodies& near) const {
-  if (!(pair.distance > 0)) return;
-  near.distance = std::min(near.distance, pair.distance);
-  if (is_said_by_a_vertex(pair)) return;
-  const std::array<NearFeature, 2> features = features_of(pair);
-  if (is_said_by_another(pair, features)) return;
-  const btVector3 normal = vector_of(pair.direction);
-  const auto local = [&](std::size_t i, const btVector3& v) {
-    return members_.at(pair.bodies[i]).place.getBasis().transpose() * v;
-  };
-  if (features[0].is_nearest(local(0, -normal)) && features[1].is_nearest(local(1, normal)))
-    near.contacts.push_back(contact_at(pair.bodies, features, normal));
+  const adapters::BodyPair& pair() const { return pair_; }
+  /// Adds what the pair of features says, where the bodies are now.
+  void add(const BodyNearPair& pair, NearBodies& near) const {
+    if (!(pair.distance > 0)) return;
+    near.distance = std::min(near.distance, pair.distance);
+    if (is_said_by_a_vertex(pair)) return;
+    const std::array<NearFeature, 2> features = features_of(pair);
+    if (is_said_by_another(pair, features)) return;
+    const btVector3 normal = vector_of(pair.direction);
+    if (features[0].is_nearest(to_local(0, -normal)) && features[1].is_nearest(to_local(1, normal)))
+      near.contacts.push_back(contact_at(features, normal));
+  }
+  NearContact contact_of(const BodyContact& contact) const {
+    return contact_at(features_of(contact), vector_of(contact.normal));
+  }
+
+ private:
+  /// The first one first. Keeps references.
+  template <class Pair>
+  std::array<NearFeature, 2> features_of(const Pair& pair) const {
+    const auto all = weights_of(pair.kind, pair.u, pair.v);
+    const std::span<const Index> vertices(pair.vertices);
+    const std::size_t of_first = pair.kind == PairKind::edge_edge ? 2 : 1;
+    std::array<std::array<double, 3>, 2> weights{};
+    for (std::size_t i = 0; i < of_first; ++i) weights[0][i] = all[i];
+    for (std::size_t i = of_first; i < all.size(); ++i) weights[1][i - of_first] = -all[i];
+    return {NearFeature(*members_[0]->shape.surface, vertices.first(of_first), weights[0]),
+            NearFeature(*members_[1]->shape.surface, vertices.subspan(of_first), weights[1])};
+  }
+
+  NearContact contact_at(const std::array<NearFeature, 2>& features, const btVector3& normal) const {
+    const auto side = [&](std::size_t i) { return NearSide{members_[i]->object, features[i].point}; };
+    if (is_in_order_) return {pair_, {side(0), side(1)}, normal};
+    return {pair_, {side(1), side(0)}, -normal};
+  }
+
+  btVector3 to_local(std::size_t i, const btVector3& v) const { return v * members_[i]->place.getBasis(); }
+
+  adapters::BodyPair pair_;
+  bool is_in_order_;
+  std::array<const Member*, 2> members_;
+};
+
+ClampedWorld::Meeting ClampedWorld::meeting_of(const std::array<BodyId, 2>& bodies) const {
+  return {bodies, members_.at(bodies[0]), members_.at(bodies[1])};
 }
 
 void ClampedWorld::find_near() {
@@ -175,10 +195,10 @@ void ClampedWorld::find_near() {
   const std::vector<BodyNearPair> pairs = bodies_.pairs_within(2 * options_.gap);
   for (auto pair = pairs.begin(); pair != pairs.end();) {
     const auto end = std::find_if(pair, pairs.end(), [&](const auto& other) { return other.bodies != pair->bodies; });
-    const adapters::BodyPair bodies = adapters::pair_of(pair->bodies);
-    if (!overlapping_.contains(bodies) && collides(bodies)) {
-      NearBodies& near = near_.try_emplace(bodies, NearBodies{2 * options_.gap, {}}).first->second;
-      std::for_each(pair, end, [&](const BodyNearPair& one) { add_near(one, near); });
+    const Meeting meeting = meeting_of(pair->bodies);
+    if (!overlapping_.contains(meeting.pair()) && collides(meeting.pair())) {
+      NearBodies& near = near_.try_emplace(meeting.pair(), NearBodies{2 * options_.gap, {}}).first->second;
+      std::for_each(pair, end, [&](const BodyNearPair& one) { meeting.add(one, near); });
     }
     pair = end;
   }
@@ -199,7 +219,7 @@ void ClampedWorld::createPredictiveContacts(btScalar seconds) {
     const adapters::BodyPair bodies = adapters::pair_of(limit.bodies);
     if (members_.contains(bodies[0]) && members_.contains(bodies[1]) && !overlapping_.contains(bodies) &&
         collides(bodies))
-      add(contact_at(limit.bodies, features_of(limit), vector_of(limit.normal)));
+      add(meeting_of(limit.bodies).contact_of(limit));
   }
   for_solver.start_warm();
 }
@@ -224,10 +244,9 @@ void ClampedWorld::performDiscreteCollisionDetection() {
 void ClampedWorld::set_overlapping_may_touch(bool may_touch) {
   for (const auto& [a, b] : overlapping_) {
     const Member& member = members_.at(a);
-    const Pose pose = pose_of(member.place);
-    if (may_touch) bodies_.move(a, adapters::resting(pose));  // two bodies that both stay are refused
+    if (may_touch) bodies_.move(a, adapters::resting(member.pose));  // two bodies that both stay are refused
     bodies_.set_may_touch(a, b, may_touch);
-    if (may_touch) bodies_.move(a, motion_at(*member.object, pose));
+    if (may_touch) bodies_.move(a, motion_at(*member.object, member.pose));
   }
 }
 

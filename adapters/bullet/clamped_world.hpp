@@ -64,6 +64,7 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
     btCollisionObject* object;
     KnownShape shape;
     btTransform place;  ///< where `bodies_` has it
+    Pose pose;          ///< the same
     bool is_active;     ///< as `bodies_` has it: a body that sleeps is Static there, and costs nothing
   };
   /// Two bodies within two gaps of each other.
@@ -91,14 +92,9 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   /// The clamp leaves out contacts of bodies that overlap; where they lie flat on each other and turn, those are the
   /// dearest of all, so they are not asked about.
   void set_overlapping_may_touch(bool may_touch);
-  /// Both features of a pair, the first one first. Keeps a reference.
-  template <class Pair>
-  std::array<NearFeature, 2> features_of(const Pair& pair) const;
+  class Meeting;
+  Meeting meeting_of(const std::array<BodyId, 2>& bodies) const;
   void find_near();
-  /// Adds what the pair of features says of its bodies, where they are now.
-  void add_near(const BodyNearPair& pair, NearBodies& near) const;
-  NearContact contact_at(const std::array<BodyId, 2>& bodies, const std::array<NearFeature, 2>& features,
-                         const btVector3& normal) const;
 
   adapters::ClampOptions options_;
   World bodies_;

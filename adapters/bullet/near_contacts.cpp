@@ -64,8 +64,8 @@ bool NearFeature::is_nearest(const btVector3& outward) const {
     const btScalar along = way.dot(outward);
     return along <= 0 || along * along <= kLeadsAway * kLeadsAway * way.length2();
   };
-  return std::ranges::all_of(
-      faces(), [&](const Face& face) { return !lies_on(face) || std::ranges::all_of(face, leads_away); });
+  return std::ranges::all_of(faces(),
+                             [&](const Face& face) { return !lies_on(face) || std::ranges::all_of(face, leads_away); });
 }
 
 namespace {

@@ -53,6 +53,7 @@ void keep_earlier(std::optional<Row>& first, double& time, const std::optional<P
 /// Adds the answer of one detector, of `whose` mesh.
 template <class Row, class Pair, class Whose>
 void add_named(std::vector<Row>& rows, const std::vector<Pair>& pairs, const Whose& whose) {
+  rows.reserve(rows.size() + pairs.size());
   for (const Pair& pair : pairs) rows.push_back(named<Row>(pair, whose));
 }
 

@@ -33,6 +33,10 @@ double farthest_between(const RoundedTransform& a, const RoundedTransform& b, co
   return (farthest + 2 * (a.error_of(size, 0) + b.error_of(size, 0)) * kRootOfThree) * kRoundedUp;
 }
 
+bool stays(const Link& link) {
+  return link.start.position == link.end.position && link.start.rotation == link.end.rotation;
+}
+
 }  // namespace
 
 double Body::max_deviation_from(const BodyMotion& other) const {
@@ -84,7 +88,7 @@ void Body::move(BodyMotion motion) {
                    : bounds.turns()                        ? MotionKind::turning
                                                            : MotionKind::straight;
     at_start_ = transform_at(chain, 0);
-    at_end_ = motion_kind_ == MotionKind::still ? at_start_ : transform_at(chain, 1);
+    at_end_ = std::ranges::all_of(chain, stays) ? at_start_ : transform_at(chain, 1);
   }
   const Index root = shape_->tree.root();
   start_hull_ = BodyOnPiece(*this, 0, 0).bounds(root).hull();

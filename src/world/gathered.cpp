@@ -145,10 +145,6 @@ void Gathered::name(BodyIntersection& row) const {
   to_own(row.face);
 }
 
-void Gathered::to_own(std::span<Index> vertices) const {
-  for (Index& v : vertices) v = vertices_[at(v)].own;
-}
-
 std::uint64_t Gathered::memory_bytes() const {
   return held_bytes(items_, vertices_, start_, end_) + detector_.statistics().memory_bytes;
 }

@@ -48,7 +48,9 @@ class Gathered {
   };
 
   BodyId body_of(Index vertex) const { return vertices_[static_cast<std::size_t>(vertex)].body; }
-  void to_own(std::span<Index> vertices) const;
+  void to_own(std::span<Index> vertices) const {
+    for (Index& v : vertices) v = vertices_[static_cast<std::size_t>(v)].own;
+  }
   Mesh make_mesh(const BodyList& bodies);
   PairFilter make_filter(const BodyList& bodies, MotionKind least, const std::set<BodyPair>& excluded_pairs) const;
   Detector make_detector(const BodyList& bodies, MotionKind least, const std::set<BodyPair>& excluded_pairs,

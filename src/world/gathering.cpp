@@ -40,7 +40,7 @@ std::map<BodyId, BodyMotion> straight_motions(const BodyList& bodies, const std:
 }  // namespace
 
 bool Gathering::serves(const BodyList& bodies, const std::vector<BodyPair>& near, const NearDistance& now) const {
-  if (!gathered || now.displacement_factor > 0 || now.separation > distance.separation) return false;
+  if (!gathered || now.displacement_factor > 0) return false;
   if (!gathered->keeps_motion_kinds(bodies)) return false;
   std::map<BodyId, double> deviations;
   const auto deviation_of = [&](BodyId id) {
@@ -49,8 +49,10 @@ bool Gathering::serves(const BodyList& bodies, const std::vector<BodyPair>& near
     if (is_new && motion != motions.end()) place->second = bodies[at(id)]->max_deviation_from(motion->second);
     return place->second;
   };
+  // Finite, so less than an unknown deviation.
+  const double reach = std::min(distance.separation + distance.margin, std::numeric_limits<double>::max());
   return std::ranges::all_of(near, [&](const BodyPair& pair) {
-    return (deviation_of(pair[0]) + deviation_of(pair[1])) * kRoundedUp <= distance.margin;
+    return (deviation_of(pair[0]) + deviation_of(pair[1]) + now.separation) * kRoundedUp <= reach;
   });
 }
 

@@ -28,7 +28,7 @@ struct Gathering {
     return least <= kind && kind <= most;
   }
   /// Does the mesh hold all items that come within the distance `now`? It does while both bodies of each pair together
-  /// deviate by at most the margin from `motions`.
+  /// deviate by at most the margin from `motions`, less what `now` is larger.
   bool serves(const BodyList& bodies, const std::vector<BodyPair>& near, const NearDistance& now) const;
   std::uint64_t memory_bytes() const;
 };

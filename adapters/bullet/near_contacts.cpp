@@ -47,6 +47,7 @@ std::span<const Face> NearFeature::faces() const {
 }
 
 bool NearFeature::lies_on(const Face& face) const {
+  if (is_vertex()) return true;
   for (std::size_t i = 0; i < vertices.size(); ++i)
     if (weights[i] > kNoWeight && std::ranges::find(face, vertices[i]) == face.end()) return false;
   return true;

@@ -67,8 +67,8 @@ struct NearFeature {
   bool is_nearest(const btVector3& outward) const;
 
  private:
-  std::span<const Face> faces() const;  ///< at the heaviest vertex
-  bool lies_on(const Face& face) const;
+  std::span<const Face> faces() const;   ///< at the heaviest vertex
+  bool lies_on(const Face& face) const;  ///< one of faces()
 };
 
 /// Contact points of near pairs for Bullet's solver, made anew in each step; those of two objects share a manifold. The

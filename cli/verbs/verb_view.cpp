@@ -55,8 +55,7 @@ class View final : public MotionVerb {
  private:
   /// A single frame is asked for its intersections: these options would change nothing.
   void require_no_step_options(const Options& options) const {
-    if (scale() == 1 && own().at_start == AtStart::report && options.min_separation == 0 &&
-        options.radii.empty())
+    if (scale() == 1 && own().at_start == AtStart::report && options.min_separation == 0 && options.radii.empty())
       return;
     throw InvalidOptions(
         "--scale, --at-start, --min-separation and --radius are of steps, and a single frame is named: leave them out, "

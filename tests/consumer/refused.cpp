@@ -1,5 +1,4 @@
-// Each block after "says" is a mistake: the compiler must not take it, and say what stands there. It must take the
-// rest.
+// Each block after "says" is a mistake: the compiler must not take it, and say what stands there. It takes the rest.
 #include <Eigen/Core>
 #include <tamis/tamis.hpp>
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# check_viewer.sh style|page|tests [COMMAND SCREENSHOTS]. style: checks types, lint and format of the viewer's sources.
-# page: checks that they build the committed page, byte for byte. tests: runs the tests in Chromium. Exit code 77 if Node,
-# its packages or Chromium is absent.
+# check_viewer.sh style|page|tests [COMMAND [SCREENSHOTS]]. style: checks types, lint and format of the viewer's sources.
+# page: checks that they build the committed page, byte for byte. tests: runs the tests in Chromium, and saves pictures of the
+# pages in the folder SCREENSHOTS, for who wants to look. Exit code 77 if Node, its packages or Chromium is absent.
 set -euo pipefail
 cd "$(dirname "$0")/../viewer"
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 #include "adapters/bullet/mesh_of_shape.hpp"
 #include "adapters/bullet/throws/arena.hpp"
@@ -125,6 +126,26 @@ TEST_F(OverlappingBoxes, StopAtEachOtherOnceApart) {
   body->setLinearVelocity({0, 0, -500});
   simulation.run(3);
   EXPECT_GT(body->getWorldTransform().getOrigin().z(), 2);
+}
+
+/// If it were more, each corner of a box would be a contact with five faces of the box below; if none, with no face.
+TEST(NearFeatures, AreToldByOneOfTheFacesAtTheirPoint) {
+  const Surface box(mesh_of(btBoxShape({1, 2, 3})));
+  for (const double second : {0.0, 0.25})  // at a vertex; on an edge
+    for (const std::vector<Face>& around : box.faces_at) {
+      const auto vertex = static_cast<Index>(&around - box.faces_at.data());
+      const Index other = around[0][around[0][0] == vertex ? 1 : 0];
+      int told = 0;
+      for (const Face& face : around) {
+        std::array<double, 3> weights{};
+        for (std::size_t i = 0; i < 3; ++i) weights[i] = face[i] == vertex ? 1 - second : face[i] == other ? second : 0;
+        if (second > 0 && std::ranges::find(face, other) == face.end()) continue;
+        const NearFeature feature(box, face, weights);
+        EXPECT_EQ(feature.is_vertex(), second == 0);
+        told += !feature.is_repeated();
+      }
+      EXPECT_EQ(told, 1) << vertex;
+    }
 }
 
 TEST(NearContacts, KeepTheCornersAndTheNearest) {

@@ -53,6 +53,12 @@ void print_mesh(const Mesh& mesh) {
              counted(mesh.faces().size(), "triangle"), counted(mesh.edges().size(), "edge"));
 }
 
+void print_asked(const Detector& detector) {
+  print_mesh(detector.mesh());
+  if (const Index rings = detector.options().filter.rings; rings > 1)
+    fmt::print("left out        pairs fewer than {} edges apart along the mesh: nothing is said of them\n", rings);
+}
+
 namespace {
 
 void print_stages(const Statistics& statistics, std::string_view only_kind) {

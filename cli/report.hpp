@@ -27,6 +27,8 @@ void add_costs(Json& json, const Detector& detector, const Timing& timing);
 void print_json(const Json& json);
 
 void print_mesh(const Mesh& mesh);
+/// The mesh, and which pairs are left out of every answer by --rings.
+void print_asked(const Detector& detector);
 /// `only_kind`: the name of the pairs' kind, if there is only one kind.
 void print_costs(const Statistics& statistics, const Timing& timing, int repeat, std::string_view only_kind = {});
 

@@ -41,7 +41,7 @@ int StartCheck::refuse(const Detector& detector, bool as_json, Json json) const 
   if (as_json) {
     print_json(json);
   } else {
-    print_mesh(detector.mesh());
+    print_asked(detector);
     fmt::print(
         "START           passes through itself: {} intersection{} ('tamis intersections START' lists them); "
         "nothing else was asked\n",

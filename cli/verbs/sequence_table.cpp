@@ -30,9 +30,9 @@ std::string SequenceTable::part_of(int part) const {
   return substeps_ == 1 ? "" : fmt::format(" {}/{}", part, substeps_);
 }
 
-void SequenceTable::print_head(const Mesh& mesh) const {
+void SequenceTable::print_head(const Detector& detector) const {
   if (json_) return;
-  print_mesh(mesh);
+  print_asked(detector);
   fmt::print("\n{:>5} {:<{}} {:>11} {:>11} {:>14} {:>10}  {}\n", "step", "end", width_, "vertex-face", "edge-edge",
              "free until", "time", "tree");
 }

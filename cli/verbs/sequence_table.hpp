@@ -22,7 +22,7 @@ class SequenceTable {
  public:
   SequenceTable(std::vector<std::filesystem::path> frames, int substeps, bool json);
 
-  void print_head(const Mesh& mesh) const;
+  void print_head(const Detector& detector) const;
   /// Steps come in order.
   void add(const SequenceStep& step);
   void print_totals(const Options& options, const Statistics& statistics, const StartCheck& start);

@@ -46,7 +46,7 @@ void Contacts::report(const Tally& tally, const Detector& detector, const Timing
     add_costs(json, detector, timing);
     return print_json(json);
   }
-  print_mesh(detector.mesh());
+  print_asked(detector);
   print_tally(tally);
   print_ignored(detector.statistics());
   if (tally.is_free()) start_check_.print();

@@ -43,7 +43,7 @@ class Earliest final : public StepVerb {
       add_costs(json, detector, timing);
       return print_json(json);
     }
-    print_mesh(detector.mesh());
+    print_asked(detector);
     print_earliest(first);
     print_ignored(detector.statistics());
     if (!first.contact) start_.print();

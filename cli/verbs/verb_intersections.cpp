@@ -54,7 +54,7 @@ class IntersectionsVerb final : public PoseVerb {
       add_costs(json, detector, timing);
       return print_json(json);
     }
-    print_mesh(detector.mesh());
+    print_asked(detector);
     if (found.empty())
       fmt::print("intersections   none: no edge passes through a triangle or touches one, proven\n");
     else

@@ -75,7 +75,7 @@ class IsFree final : public MotionVerb {
       add_costs(json, detector, timing);
       return print_json(json);
     }
-    print_mesh(detector.mesh());
+    print_asked(detector);
     const std::size_t steps = frames.paths().size() - 1;
     print_free(!met, steps == 1 ? "the step" : fmt::format("any of {} steps", grouped(steps)));
     if (met && steps > 1)

@@ -47,7 +47,7 @@ class SafeStepLength final : public StepVerb {
       add_costs(json, detector, timing);
       return print_json(json);
     }
-    print_mesh(detector.mesh());
+    print_asked(detector);
     print_safe_step(safe, keep_.part(), detector.options().min_separation);
     print_ignored(detector.statistics());
     if (!safe.pair) start_.print();

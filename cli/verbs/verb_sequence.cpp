@@ -33,7 +33,7 @@ class Sequence final : public SequenceVerb {
     Detector detector = detector_for(io::mesh_of(frames.first()));
     if (!start_.passes(detector, frames.first().positions)) return start_.refuse(detector, json_, Json::object());
     SequenceTable table(frames.paths(), substeps_, json_);
-    table.print_head(detector.mesh());
+    table.print_head(detector);
     Progress progress(frames.paths().size() - 1, "steps");
     ask_steps(detector, frames, {1, frames.paths().size(), substeps_, scale()}, own(), [&](const SequenceStep& step) {
       progress.clear();

@@ -73,7 +73,7 @@ class Truncate final : public StepVerb {
       add_costs(json, detector, timing);
       return print_json(json);
     }
-    print_mesh(detector.mesh());
+    print_asked(detector);
     fmt::print(
         "truncated       to {:.6g} of the way, that of all vertices added up; {}\n", part,
         to.is_free ? "the straight way there is free, proven" : "something touches at the start, and comes no nearer");

@@ -56,7 +56,7 @@ class Within final : public PoseVerb {
       add_costs(json, detector, timing);
       return print_json(json);
     }
-    print_mesh(detector.mesh());
+    print_asked(detector);
     fmt::print("within {:<9.4g}{} vertex-face, {} edge-edge, {} vertex-edge, {} vertex-vertex\n", distance_,
                grouped(vf), grouped(ee), grouped(ve), grouped(vv));
     if (!pairs.empty()) fmt::print("smallest        {}\n", nearest->distance);

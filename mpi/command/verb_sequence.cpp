@@ -43,7 +43,7 @@ class Sequence final : public cli::SequenceVerb {
   /// Returns whether every step is free.
   bool print(const std::vector<Bytes>& of_ranks, const cli::MovingFrames& frames, const tamis::Detector& detector) {
     cli::SequenceTable table(frames.paths(), substeps_, json_);
-    table.print_head(detector.mesh());
+    table.print_head(detector);
     for (const Bytes& bytes : of_ranks)
       for (Unpacker unpacker(bytes); !unpacker.empty();) table.add(unpacker.get<cli::SequenceStep>());
     table.print_totals(detector.options(), detector.statistics(), {});

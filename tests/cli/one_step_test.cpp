@@ -58,7 +58,9 @@ TEST_F(OneStep, WhatTouchesAtTheStartIsReportedIgnoredOrRefused) {
     EXPECT_NE(out.find("\nignored         "), std::string::npos) << verb << out;
   }
   EXPECT_EQ(folder_.run("is-free above.obj below.obj --rings 0").code, 2);
-  EXPECT_EQ(folder_.run("is-free above.obj below.obj --rings 3").code, 1);
+  const Outcome far = folder_.run("is-free above.obj below.obj --rings 3");
+  EXPECT_EQ(far.code, 1);
+  EXPECT_NE(far.out.find("left out        pairs fewer than 3 edges apart"), std::string::npos) << far.out;
 }
 
 TEST_F(OneStep, EarliestTellsHowFarItMayGo) {

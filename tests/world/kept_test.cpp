@@ -262,5 +262,22 @@ TEST(World, AgreesWhateverIsToldBetweenQuestions) {
   EXPECT_GT(contacts, 500u);
 }
 
+/// What was gathered for one distance must not serve a farther one without its margin.
+TEST(World, FindsWhatIsFartherAfterWhatIsNear) {
+  World kept(one_thread());
+  const auto fill = [](World& world) {
+    world.add(SlidingSheet::sheet(40), Static{});
+    world.add(Shape(Mesh(3, {{0, 1, 2}}), {{0, 0, 0.01}, {0.1, 0, 0.01}, {0, 0.1, 0.01}}), Rigid{interpolated({}, {})});
+  };
+  fill(kept);
+  for (const double distance : {0.02, 0.03, 1.5, 0.05, 3.0}) {
+    World fresh(one_thread());
+    fill(fresh);
+    const auto expected = fresh.pairs_within(distance);
+    EXPECT_GT(expected.size(), 0U);
+    EXPECT_EQ(kept.pairs_within(distance).size(), expected.size()) << distance;
+  }
+}
+
 }  // namespace
 }  // namespace tamis::test

@@ -139,7 +139,7 @@ int run(const Arguments& arguments) {
 int main(int argc, char** argv) {
   CLI::App app("Public packages and Tamis on one step: answers compared, then times.", "tamis_contenders");
   tamis::bench::Arguments arguments;
-  app.add_option("START", arguments.start, "the mesh at t=0: " + io::mesh_format_names())->required();
+  app.add_option("START", arguments.start, "the mesh at t=0: " + tamis::io::mesh_format_names())->required();
   app.add_option("END", arguments.end, "the same mesh at t=1")->required();
   app.add_option("--scale", arguments.scale, "take END = START + S (END - START)");
   app.add_option("--repeat", arguments.repeat, "timed runs each, after one that is not; default 5")

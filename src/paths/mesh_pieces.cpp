@@ -31,8 +31,8 @@ std::vector<Index> numbers_of(const Mesh& mesh, const Path& path) {
 
 }  // namespace
 
-MeshPieces::MeshPieces(const Mesh& mesh, const Path& path, std::span<const double> ends)
-    : mesh_(mesh), path_(path), ends_(ends), all_(numbers_of(mesh, path_)) {}
+MeshPieces::MeshPieces(const Mesh& mesh, const Path& path, std::span<const double> ends, double separation)
+    : mesh_(mesh), path_(path), ends_(ends), separation_(separation), all_(numbers_of(mesh, path_)) {}
 
 MeshMoment MeshPieces::next(const MeshMoment& from) {
   MeshMoment to = moment_at(end_of(from));
@@ -58,7 +58,7 @@ std::vector<double> MeshPieces::deviations(double from, double to) const {
 /// most a sixteenth of the number of all vertices.
 double MeshPieces::end_of(const MeshMoment& start) const {
   if (!ends_.empty()) return *std::ranges::upper_bound(ends_, start.time);
-  const double allowed = deviation_in_edges_ * mean_fine_edge(mesh_, start.points);
+  const double allowed = deviation_in_units_ * std::max(mean_fine_edge(mesh_, start.points), separation_);
   double length = 1 - start.time;
   for (; allowed > 0 && length > kShortestPiece; length *= kNearMiddle) {
     const std::vector<double> bounds = deviations(start.time, start.time + length);
@@ -75,9 +75,9 @@ void MeshPieces::adapt_length(std::size_t pairs) {
   constexpr double kFactor = 4;  // deviations of a piece twice as long
   const std::size_t vertices = mesh_.points().size();
   if (kVerticesPerPairIfFew * pairs <= vertices)
-    deviation_in_edges_ = std::min(kFactor * deviation_in_edges_, kMostChordDeviationInEdges);
+    deviation_in_units_ = std::min(kFactor * deviation_in_units_, kMostChordDeviationInEdges);
   else if (kVerticesPerPairIfMany * pairs > vertices)
-    deviation_in_edges_ = std::max(deviation_in_edges_ / kFactor, kChordDeviationInEdges);
+    deviation_in_units_ = std::max(deviation_in_units_ / kFactor, kChordDeviationInEdges);
 }
 
 std::vector<double> MeshPieces::displacements() const {

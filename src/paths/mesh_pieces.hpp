@@ -9,14 +9,14 @@
 
 namespace tamis {
 
-/// How far all but a few vertices may deviate on the first piece, in mean fine edges; MeshPieces::adapt_length changes
-/// it for later pieces. Longer pieces leave more pairs to be decided on parts of them, shorter ones search the whole
-/// mesh more often.
+/// How far all but a few vertices may deviate on the first piece, in mean fine edges, or in separations if these are
+/// longer; MeshPieces::adapt_length changes it for later pieces. Longer pieces leave more pairs to be decided on parts
+/// of them, shorter ones search the whole mesh more often.
 inline constexpr double kChordDeviationInEdges = 0x1p-6;
 /// If bounds go by the square of a piece's length, a vertex is no farther from its shifted chord (ShiftedChords) than
 /// this part of its bound on the piece.
 inline constexpr double kShiftedChordPart = 0.75;
-/// While pieces leave few pairs, the next ones grow up to this deviation, in mean fine edges.
+/// While pieces leave few pairs, the next ones grow up to this deviation, in the same unit.
 inline constexpr double kMostChordDeviationInEdges = 0.25;
 
 /// Straight motions that stand for the curves on a piece: chords, shifted half way to the path's position in the middle
@@ -29,8 +29,9 @@ struct ShiftedChords {
 /// The pieces of one question. Throws InvalidPath if the path breaks its promises.
 class MeshPieces {
  public:
-  /// Keeps references. `ends`: of the pieces, ascending, the last one 1; if empty, deviations determine them.
-  MeshPieces(const Mesh& mesh, const Path& path, std::span<const double> ends);
+  /// Keeps references. `ends`: of the pieces, ascending, the last one 1; if empty, deviations determine them, beside
+  /// edges and `separation`.
+  MeshPieces(const Mesh& mesh, const Path& path, std::span<const double> ends, double separation);
 
   MeshMoment moment_at(double time) const;
   /// Returns the end of the piece that begins at `from`, and sets chords() to those of this piece. Checks the path's
@@ -60,9 +61,10 @@ class MeshPieces {
   const Mesh& mesh_;
   const Path& path_;
   const std::span<const double> ends_;
+  const double separation_;
   const std::vector<Index> all_;  ///< 0, 1, 2, ...
   ShiftedChords chords_;
-  double deviation_in_edges_ = kChordDeviationInEdges;  ///< allowed on the next piece
+  double deviation_in_units_ = kChordDeviationInEdges;  ///< allowed on the next piece
 };
 
 }  // namespace tamis

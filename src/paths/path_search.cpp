@@ -55,7 +55,7 @@ PathSearch::PathSearch(const Mesh& mesh, const MeshOnPath& asked, Engine& engine
       query_(asked.query),
       engine_(engine),
       statistics_(statistics),
-      pieces_(mesh, asked.path, asked.ends),
+      pieces_(mesh, asked.path, asked.ends, asked.query.separations.fixed),
       searched_radii_(radii_to_search()),
       searched_{query_.separations.fixed, searched_radii_},
       parts_(kernels) {

@@ -125,12 +125,13 @@ void World::State::gather_anew(Gathering& gathering, NearDistance distance, cons
   gathering.searched = 0;
 }
 
-std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& pairs) const {
+std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& pairs,
+                                                  const NearDistance& distance) const {
   double pieces = 1;
   const Interval whole_step = chord_factor(Interval(1));
   for (const BodyPair& pair : pairs) {
     const Body &a = *bodies[at(pair[0])], &b = *bodies[at(pair[1])];
-    const double allowed = kChordDeviationInEdges * std::max(a.shape().edge, b.shape().edge);
+    const double allowed = kChordDeviationInEdges * std::max({a.shape().edge, b.shape().edge, distance.between(a, b)});
     const double acceleration = a.curvature().acceleration + b.curvature().acceleration;
     const double deviation = kShiftedChordPart * Curvature{acceleration}.deviation(whole_step);
     if (allowed > 0 && deviation > allowed) pieces = std::max(pieces, std::ceil(std::sqrt(deviation / allowed)));

@@ -47,7 +47,7 @@ void World::State::for_each_moving(const QueryOptions& asked, double displacemen
     if (!ask_one(gathered.detector(), ask, gathered.step(bodies), of_steps(asked), gathered)) return;
   }
   const std::vector<BodyPair> turning = wanted_pairs(turning_, near);
-  const std::vector<double> times = times_of_pieces(turning);
+  const std::vector<double> times = times_of_pieces(turning, distance);
   if (gather(turning_, distance, turning, times)) {
     Gathered& gathered = *turning_.gathered;
     try {

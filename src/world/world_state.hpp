@@ -47,7 +47,7 @@ struct World::State {
               std::span<const double> times);
   void gather_anew(Gathering& gathering, NearDistance distance, const NearItems& needed, std::span<const double> times);
   /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
-  std::vector<double> times_of_pieces(const std::vector<BodyPair>& pairs) const;
+  std::vector<double> times_of_pieces(const std::vector<BodyPair>& pairs, const NearDistance& distance) const;
   /// Calls ask(state of a detector, motion, options, whose) for each detector, until one call returns false: with a
   /// Step and the gathered bodies that go straight; with a CutPath and those of which one turns; with the Step and the
   /// number of each deforming body. `displacement_factor`: as in NearDistance. Throws InvalidOptions.

@@ -41,7 +41,7 @@ TEST(MeshPieces, CurvesStayBesideTheirLines) {
   for (const Point& turn : {Point{0, 0, 0.5}, Point{3, -4, 1}, Point{40, 0, 0}}) {
     const RigidPath path(kRest, {0, 0, 0}, {turned({{1, 2, 3}, {0.1, 0, 0}}, turn, {2, 2, 2})});
     const std::vector<double> ends{0.25, 0.3, 1};
-    MeshPieces pieces(kTriangle, path, ends);
+    MeshPieces pieces(kTriangle, path, ends, 0);
     for (MeshMoment from = pieces.moment_at(0); from.time < 1;) {
       const MeshMoment to = pieces.next(from);
       EXPECT_LE(farthest_share(path, from.time, to.time, pieces.chords()), 1) << "from " << from.time;
@@ -54,15 +54,15 @@ TEST(MeshPieces, CurvesStayBesideTheirLines) {
 TEST(MeshPieces, LinesBesideChordsAreNearer) {
   const RigidPath path(kRest, {0, 0, 0}, {turned({}, {0, 0, 0.1}, {})});
   const std::vector<double> ends{1};
-  MeshPieces pieces(kTriangle, path, ends);
+  MeshPieces pieces(kTriangle, path, ends, 0);
   pieces.next(pieces.moment_at(0));
   std::vector<double> chords(3);
   path.deviations(0, 1, std::vector<Index>{0, 1, 2}, chords);
   for (std::size_t v = 0; v < 2; ++v) EXPECT_LT(pieces.chords().deviations[v], (kShiftedChordPart + 1e-6) * chords[v]);
 }
 
-int count_pieces(const Mesh& mesh, const Path& path) {
-  MeshPieces pieces(mesh, path, {});
+int count_pieces(const Mesh& mesh, const Path& path, double separation = 0) {
+  MeshPieces pieces(mesh, path, {}, separation);
   int count = 0;
   for (MeshMoment from = pieces.moment_at(0); from.time < 1; ++count) from = pieces.next(from);
   return count;
@@ -87,6 +87,16 @@ int pieces_of_a_turn(Index grounds) {
 TEST(MeshPieces, AreAsLongAboveWideTrianglesAsAlone) {
   EXPECT_GT(pieces_of_a_turn(0), 4);
   EXPECT_EQ(pieces_of_a_turn(12), pieces_of_a_turn(0));
+}
+
+// Bug: a speck that turned within a separation a million times its size made thousands of pieces.
+TEST(MeshPieces, AreAsLongAsASeparationAllows) {
+  const auto pieces_of_a_triangle = [](double edge, double separation) {
+    const std::vector<Point> points{{1, 0, 0}, {1 + edge, 0, 0}, {1, edge, 0}};
+    return count_pieces(kTriangle, RigidPath(points, {0, 0, 0}, {turned({}, {0, 0, 3}, {})}), separation);
+  };
+  EXPECT_GT(pieces_of_a_triangle(1e-6, 0), 1000);
+  EXPECT_LE(pieces_of_a_triangle(1e-6, 0.5), pieces_of_a_triangle(0.5, 0));
 }
 
 // Bug: one vertex 10^10 edges from an axis of rotation made 27 thousand pieces, in each of which the whole mesh is

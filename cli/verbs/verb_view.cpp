@@ -7,6 +7,7 @@
 #include "cli/look_output.hpp"
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
+#include "cli/step_files.hpp"
 #include "cli/verbs/motion_verb.hpp"
 #include "cli/verbs/moving_frames.hpp"
 #include "io/mesh/mesh_formats.hpp"

@@ -46,6 +46,13 @@ inline AtStart at_start(int32_t given) {
   return static_cast<AtStart>(given);
 }
 
+/// Pairs by themselves that touch at the start are reported, without a choice.
+inline void require_report(int32_t at_start) {
+  if (at_start != TAMIS_REPORT)
+    throw InvalidOptions("at_start is " + std::to_string(at_start) +
+                         ": it is for questions to a detector, leave it 0 for pairs by themselves");
+}
+
 /// Keeps the rows of an answer, which `find` returns, and writes their number. There are none if the call fails.
 template <class Row, class Find>
 void keep_rows(std::vector<Row>& rows, std::size_t* count, const Find& find) {

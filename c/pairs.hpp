@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "c/asked.hpp"
 #include "c/handle.hpp"
 #include "c/sized.hpp"
 #include "c/step.hpp"
@@ -13,12 +14,9 @@ struct tamis_pairs : tamis::c::Handle<std::optional<tamis::PairOptions>> {};
 
 namespace tamis::c {
 
-/// The options of a call with a step, whose separation is used in place of the handle's. Pairs that touch at t=0 are
-/// reported, without a choice.
+/// The options of a call with a step, whose separation is used in place of the handle's.
 inline PairOptions options_for(const tamis_step& given, PairOptions options) {
-  if (given.at_start != TAMIS_REPORT)
-    throw InvalidOptions("at_start is " + std::to_string(given.at_start) +
-                         ": it is for questions to a detector, leave it 0 for pairs by themselves");
+  require_report(given.at_start);
   if (given.min_separation) options.min_separation = *given.min_separation;
   return options;
 }

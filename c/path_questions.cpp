@@ -27,7 +27,7 @@ tamis_status ask_on_path(tamis_detector* handle, const tamis_path* path, const t
     h.contacts.clear();
     const tamis_path_options given = options_of(options);
     work(h, made<InvalidPath>(path, "path"),
-         QueryOptions{separation(given.min_separation), AtStart::report, given.tolerance});
+         QueryOptions{separation(given.min_separation), at_start(given.at_start), given.tolerance});
   });
 }
 
@@ -39,6 +39,7 @@ tamis_status ask_all(tamis_path* handle, const tamis_path_options* options, cons
                      tamis_pair_result* results, std::size_t result_size, Ask<corners> ask) noexcept {
   return with_object(handle, [&](const Path& path) {
     const tamis_path_options given = options_of(options);
+    require_report(given.at_start);
     const PairOptions chosen{.min_separation = separation(given.min_separation).value_or(0),
                              .tolerance = given.tolerance,
                              .is_cancelled = cancelling(given.is_cancelled, given.user)};

@@ -56,7 +56,7 @@ static void a_mesh_on_a_path(void) {
   tamis_path_options options = {sizeof options, 1e-3, NULL};
   tamis_contact contacts[32];
   double lower = 0, upper = 0, points[18], first = 2;
-  const double far = 0.25;
+  const double far = 0.25, all = 3;
   size_t count = 0, wide = 0, i;
   int is_free = -1;
   EXPECT(tamis_detector_contacts_on_path(detector, path, NULL, &count) == TAMIS_OK && count > 0 && count <= 32);
@@ -72,6 +72,14 @@ static void a_mesh_on_a_path(void) {
   options.min_separation = &far;
   EXPECT(tamis_detector_earliest_on_path(detector, path, &options, &lower, &upper, &count) == TAMIS_OK);
   EXPECT(lower < first);
+  options.min_separation = &all;
+  EXPECT(tamis_detector_contacts_on_path(detector, path, &options, &wide) == TAMIS_OK && wide > 0);
+  options.at_start = TAMIS_IGNORE;
+  EXPECT(tamis_detector_contacts_on_path(detector, path, &options, &count) == TAMIS_OK && count < wide);
+  options.at_start = TAMIS_FAIL;
+  EXPECT(tamis_detector_contacts_on_path(detector, path, &options, &count) == TAMIS_INVALID_STEP);
+  options.at_start = 3;
+  EXPECT(tamis_detector_contacts_on_path(detector, path, &options, &count) == TAMIS_INVALID_OPTIONS);
 
   EXPECT(tamis_path_points_at(path, 1, points) == TAMIS_OK);
   EXPECT(fabs(points[9] + 1.9) < 1e-12 && fabs(points[10] - 0.1) < 1e-12 && points[3] == 0);
@@ -103,6 +111,10 @@ static void pairs_on_a_path(void) {
   EXPECT_SAYS(tamis_path_message(path), "6");
   EXPECT(tamis_path_edge_edge(path, NULL, 1, NULL, r, sizeof r[0]) == TAMIS_INVALID_ARGUMENT);
   EXPECT(tamis_path_edge_edge(path, NULL, 1, edges, NULL, sizeof r[0]) == TAMIS_INVALID_ARGUMENT);
+  options.at_start = TAMIS_IGNORE;
+  EXPECT(tamis_path_edge_edge(path, &options, 1, edges, r, sizeof r[0]) == TAMIS_INVALID_OPTIONS);
+  EXPECT_SAYS(tamis_path_message(path), "leave it 0");
+  options.at_start = TAMIS_REPORT;
   options.tolerance = 2;
   EXPECT(tamis_path_edge_edge(path, &options, 1, edges, r, sizeof r[0]) == TAMIS_INVALID_OPTIONS);
   EXPECT(tamis_path_edge_edge(NULL, NULL, 1, edges, r, sizeof r[0]) == TAMIS_INVALID_ARGUMENT);

@@ -104,7 +104,8 @@ typedef struct tamis_path_options {
   /** Only for lists of pairs, where one pair may take seconds: asked again and again; once it returns other than 0, the
    * call ends with TAMIS_CANCELLED. A detector asks that of its own options. */
   int (*is_cancelled)(void* user);
-  void* user; /**< passed to is_cancelled */
+  void* user;       /**< passed to is_cancelled */
+  int32_t at_start; /**< only for a detector's questions: TAMIS_REPORT, TAMIS_IGNORE or TAMIS_FAIL */
 } tamis_path_options;
 
 /** As the questions about a step. `options` NULL: the defaults. TAMIS_INVALID_PATH if the path does not fit the mesh or

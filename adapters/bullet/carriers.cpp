@@ -11,7 +11,7 @@ namespace {
 /// Rounds over the contacts of one body with its carriers, which are few; the clamp holds back what these rounds leave.
 constexpr int kRounds = 20;
 /// In gaps a step: rounds that change no speed by more than this are the last ones.
-constexpr btScalar kSettled = 1e-5F;
+constexpr btScalar kSettled = 1e-6F;
 /// The part of a missing gap that one step restores. As in solvers a gap is restored over some steps, so that a body is
 /// not pushed into what lies on it.
 constexpr btScalar kParted = 0.5F;

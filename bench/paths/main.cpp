@@ -1,6 +1,6 @@
 // Curved motion of a whole mesh: two bodies that turn past each other, a little apart. They are alone, above a terrain,
-// or a point far away turns with one of them.
-// tamis_paths [TRIANGLES [REPEAT]]: a Markdown table; triangles of each body, medians, processor time of one thread.
+// or a point far away turns with one of them. And of two triangles, one of which turns far away from the other.
+// tamis_paths [TRIANGLES [REPEAT]]: Markdown tables; triangles of each body, medians, processor time of one thread.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -83,6 +83,22 @@ void print_row(const char* where, const Bodies& bodies, const Motion& motion, in
               median(times));
 }
 
+/// Two triangles at the distance 3, one of which turns by 3 radians on a circle of radius 1.
+void print_row_of_triangles(double edge, double separation, int repeat) {
+  std::vector<Point> points;
+  for (const double x : {0.0, 1.0}) points.insert(points.end(), {{x, 0, 0}, {x + edge, 0, 0}, {x, edge, 0}});
+  for (std::size_t i = 0; i < 3; ++i) points[i][2] = 3;
+  const RigidPath path(points, {0, 0, 0, 1, 1, 1}, {Chain{}, turned({}, {0, 0, 3}, {})});
+  Detector detector(Mesh(6, {{0, 1, 2}, {3, 4, 5}}), {.threads = 1, .min_separation = separation});
+  std::vector<double> times;
+  for (int run = 0; run <= repeat; ++run) {
+    const double start = processor_milliseconds();
+    detector.is_free(path);
+    times.push_back(processor_milliseconds() - start);
+  }
+  std::printf("| %.0e | %.1f | %.2f |\n", edge, separation, median(times));
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -102,5 +118,10 @@ int main(int count, char** arguments) {
         print_row("above a terrain", above_terrain, {degrees, gap, approach}, std::max(repeat, 1));
         print_row("and a point far away", with_far_point, {degrees, gap, approach}, std::max(repeat, 1));
       }
+  std::printf(
+      "\n| edges of two triangles | separation | ms, is_free |\n"
+      "|--:|--:|--:|\n");
+  for (const double edge : {1.0, 1e-3, 1e-6, 1e-9})
+    for (const double separation : {0.0, 0.5}) print_row_of_triangles(edge, separation, std::max(repeat, 1));
   return 0;
 }

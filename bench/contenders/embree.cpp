@@ -1,5 +1,5 @@
-// Embree 3, rtcCollide: a hierarchy of swept boxes (user geometry), Morton build. Apache-2.0.
-#include <embree3/rtcore.h>
+// Embree, rtcCollide: a hierarchy of swept boxes (user geometry), Morton build. Apache-2.0.
+#include "io/picture/embree.hpp"
 
 #include "bench/contenders/swept_boxes.hpp"
 

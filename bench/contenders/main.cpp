@@ -94,7 +94,7 @@ Json row_of(Contender& contender, const Task& task, int repeat) {
 }
 
 void print_row(const Json& row, std::string& title) {
-  if (title != row["field"]) {
+  if (title != row["field"].get<std::string>()) {
     title = row["field"];
     fmt::print("\n{}\n{:<42} {:>2} {:>10} {:>10} {:>10} {:>10} {:>8} {:>8}\n", title, "", "T", "ms", "cpu ms", "vf",
                "ee", "missed", "extra");

@@ -1,12 +1,12 @@
 #include "io/picture/drawing.hpp"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <new>
+
+#include "io/picture/embree.hpp"
 
 namespace tamis::io {
 
@@ -115,21 +115,17 @@ void Drawing::add_points(std::span<const Vector> points, float radius) {
 void Drawing::finish() { rtcCommitScene(handles_->scene.get()); }
 
 std::optional<Hit> Drawing::first_hit(const Ray& ray) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRayHit found{embree_ray(ray, std::numeric_limits<float>::infinity()), {}};
   found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(handles_->scene.get(), &context, &found);
+  intersect(handles_->scene.get(), found);
   if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
   return Hit{found.ray.tfar, unit({found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z}), handles_->shapes[found.hit.geomID],
              found.hit.primID};
 }
 
 bool Drawing::meets_any(const Ray& ray, float reach) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRay r = embree_ray(ray, reach);
-  rtcOccluded1(handles_->scene.get(), &context, &r);
+  occlude(handles_->scene.get(), r);
   return r.tfar < 0;  // how Embree says yes
 }
 

@@ -24,10 +24,10 @@ template <class T>
 inline void store_compressed(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* to) {
   static_assert(sizeof(T) == 4);
 #if XSIMD_WITH_AVX512F
-  const __m512i raw = xsimd::bitwise_cast<IntLanes>(lanes);
+  const __m512i raw = same_bits<std::int32_t>(lanes);
   _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), raw));
 #elif XSIMD_WITH_AVX2
-  const __m256i raw = xsimd::bitwise_cast<IntLanes>(lanes);
+  const __m256i raw = same_bits<std::int32_t>(lanes);
   const __m256i order = _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(&kBitPositions[mask])));
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(raw, order));
 #else
@@ -45,7 +45,7 @@ template <class T>
 inline void store_compressed_only(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* to) {
   const int count = count_bits(mask);
 #if XSIMD_WITH_AVX512F
-  const __m512i raw = _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), xsimd::bitwise_cast<IntLanes>(lanes));
+  const __m512i raw = _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), same_bits<std::int32_t>(lanes));
   _mm512_mask_storeu_epi32(to, static_cast<__mmask16>((1u << count) - 1), raw);
 #else
   alignas(64) T some[IntLanes::size];
@@ -53,7 +53,7 @@ inline void store_compressed_only(unsigned mask, const xsimd::batch<T, Arch>& la
 #if XSIMD_WITH_AVX2
   const __m256i written = _mm256_cmpgt_epi32(_mm256_set1_epi32(count), counting_from(0));
   _mm256_maskstore_epi32(reinterpret_cast<int*>(to), written,
-                         xsimd::bitwise_cast<IntLanes>(xsimd::batch<T, Arch>::load_aligned(some)));
+                         same_bits<std::int32_t>(xsimd::batch<T, Arch>::load_aligned(some)));
 #else
   for (int i = 0; i < count; ++i) to[i] = some[i];
 #endif

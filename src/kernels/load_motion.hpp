@@ -13,9 +13,9 @@ enum class Course { step, along_edge };
 /// scale_below_one() (numerics/scale.hpp) in lanes: 2^(-1-exponent), kept in the normal range. For 0 the two differ.
 inline DoubleLanes scale_to_one(const DoubleLanes& size) {
   using Int64Lanes = xsimd::batch<std::int64_t, Arch>;
-  const Int64Lanes biased = xsimd::bitwise_cast<Int64Lanes>(size) >> 52;
+  const Int64Lanes biased = same_bits<std::int64_t>(size) >> 52;
   const Int64Lanes exponent = min(max(Int64Lanes(2045) - biased, Int64Lanes(1)), Int64Lanes(2023));
-  return xsimd::bitwise_cast<DoubleLanes>(exponent << 52);
+  return same_bits<double>(exponent << 52);
 }
 
 inline Moving<DoubleLanes> scaled(const DoubleLanes& s, const Moving<DoubleLanes>& v) { return {s * v.at0, s * v.at1}; }

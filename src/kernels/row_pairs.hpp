@@ -89,9 +89,9 @@ class RowPairs {
     Unsigned differ(~0u);  // 0 where two vertices are equal: cheaper than a mask for each comparison
     for (int c = 0; c < kCornersOfOne; ++c)
       for (int o = 0; o < kCornersOfSixteen; ++o)
-        differ = xsimd::min(differ,
-                            xsimd::bitwise_cast<Unsigned>(IntLanes(corners.one.vertex[c][lane]) ^
-                                                          IntLanes::load_aligned(corners.sixteen.vertex[o] + first)));
+        differ =
+            xsimd::min(differ, same_bits<std::uint32_t>(IntLanes(corners.one.vertex[c][lane]) ^
+                                                        IntLanes::load_aligned(corners.sixteen.vertex[o] + first)));
     return differ == Unsigned(0u);
   }
 

@@ -21,6 +21,17 @@ using IntLanes = xsimd::batch<std::int32_t, Arch>;
 inline constexpr int kDoubleLanes = static_cast<int>(DoubleLanes::size);
 inline constexpr int kFloatLanes = static_cast<int>(FloatLanes::size);
 
+/// The same bits as lanes of `To`. From version 11 on xsimd::bitwise_cast takes the type of a lane, before that of the
+/// batch.
+template <class To, class From>
+inline xsimd::batch<To, Arch> same_bits(const xsimd::batch<From, Arch>& lanes) {
+#if XSIMD_VERSION_MAJOR < 11
+  return xsimd::bitwise_cast<xsimd::batch<To, Arch>>(lanes);
+#else
+  return xsimd::bitwise_cast<To>(lanes);
+#endif
+}
+
 /// One bit a lane, lane 0 lowest.
 template <class T>
 inline unsigned bits(const xsimd::batch_bool<T, Arch>& mask) {
@@ -189,8 +200,8 @@ struct Ratio<TAMIS_ISA::FloatLanes> {
   using Lanes = TAMIS_ISA::FloatLanes;
   static constexpr double kError = 0x1.6p-9;
   static Lanes of(const Lanes& a, const Lanes& b) {
-    const auto guess = TAMIS_ISA::IntLanes(0x7ef311c3) - xsimd::bitwise_cast<TAMIS_ISA::IntLanes>(b);
-    const Lanes y = xsimd::bitwise_cast<Lanes>(guess);
+    const auto guess = TAMIS_ISA::IntLanes(0x7ef311c3) - TAMIS_ISA::same_bits<std::int32_t>(b);
+    const Lanes y = TAMIS_ISA::same_bits<float>(guess);
     return a * (y * (Lanes(2.0f) - b * y));
   }
 };

@@ -32,10 +32,10 @@ if ! ((${#targets[@]})); then
   targets=("${targets[@]%_fuzz.cpp}")
 fi
 
-command -v clang++-14 >/dev/null || { echo "skipped: no clang++-14"; exit 77; }
-runtime=$(clang++-14 --print-file-name=libclang_rt.fuzzer-x86_64.a)
-[[ -e $runtime || -e ${runtime/-x86_64/} ]] || { echo "skipped: no libFuzzer (libclang-rt-14-dev)"; exit 77; }
-cmake --preset fuzz -B "$build" -DTAMIS_BUILT="$built" ${runs:+-DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O0 -g1"} >/dev/null
+clang=$(scripts/clang.sh) || { echo "$clang"; exit 77; }
+runtime=$("$clang" --print-file-name=libclang_rt.fuzzer-x86_64.a)
+[[ -e $runtime || -e ${runtime/-x86_64/} ]] || { echo "skipped: no libFuzzer (libclang-rt-dev of the same version)"; exit 77; }
+cmake --preset fuzz -B "$build" -DCMAKE_CXX_COMPILER="$clang" -DTAMIS_BUILT="$built" ${runs:+-DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O0 -g1"} >/dev/null
 cmake --build "$build" --parallel "$(nproc)" --target "${targets[@]/%/_fuzz}"
 
 for target in "${targets[@]}"; do

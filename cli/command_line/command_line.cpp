@@ -75,7 +75,8 @@ void require_sound(const CLI::App& verb, const std::vector<std::string>& reverse
     has_options = has_options && *word != "--";
     if (!has_options || !is_option(*word)) continue;
     if (word->back() == '=') fail_without(word->substr(0, word->size() - 1) + " has an empty value");
-    const CLI::Option& option = option_named(verb, word->substr(0, word->find('=')));
+    const std::string name = word->substr(0, word->find('='));
+    const CLI::Option& option = option_named(verb, name);
     const bool takes_one =
         option.get_expected_max() <= 1 && option.get_multi_option_policy() == CLI::MultiOptionPolicy::Throw;
     if (!given.insert(&option).second && takes_one)

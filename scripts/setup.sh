@@ -5,9 +5,13 @@
 #   --blender  Blender, in which the add-on is tested (besides the module bpy)
 #   --arm64    those of the tests on 64-bit ARM
 #   --bench    those of the benchmarks, and the libraries that Tamis is compared with
-# Uses neither apt nor the network if nothing is missing.
+# Uses neither apt nor the network if nothing is missing. On other systems it prints what to install.
 set -euo pipefail
+cd "$(dirname "$0")/.."
 
+# The release's own clang, as clang++; on Debian 12 the packages of version 14 alone do, too (scripts/clang.sh).
+clang=(clang libclang-rt-dev)
+[[ $(. /etc/os-release 2>/dev/null && echo "${VERSION_CODENAME-}") != bookworm ]] || clang=(clang-14 libclang-rt-14-dev)
 packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
           libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev libb64-dev libpng-dev)
 # Draws pictures; Debian has it for x86_64 only.
@@ -15,7 +19,7 @@ packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
 case ${1:-} in
   --tests)
     packages+=(libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev
-               libbullet-dev binutils valgrind clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev chromium)
+               libbullet-dev binutils valgrind "${clang[@]}" git chromium)
     # Node from elsewhere than Debian has an npm of its own, and conflicts with Debian's.
     command -v npm >/dev/null || packages+=(nodejs npm)
     ;;
@@ -30,8 +34,8 @@ esac
 is_installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }
 
 if ! command -v dpkg-query >/dev/null; then
-  echo "setup: not a Debian or Ubuntu machine; install these by hand: ${packages[*]}" >&2
-  exit 1
+  cat scripts/packages_elsewhere.txt
+  exit 0  # the build says what it does not find
 fi
 missing=()
 for package in "${packages[@]}"; do
@@ -49,9 +53,8 @@ else
 fi
 
 # The viewer's tools, in exactly the versions of its lock file.
-viewer=$(dirname "$0")/../viewer
-if [[ ${1:-} == --tests && ! $viewer/node_modules/.package-lock.json -nt $viewer/package-lock.json ]]; then
+if [[ ${1:-} == --tests && ! viewer/node_modules/.package-lock.json -nt viewer/package-lock.json ]]; then
   echo "setup: installing the viewer's tools into viewer/node_modules"
-  npm ci --prefix "$viewer" --ignore-scripts --no-audit --no-fund
-  touch "$viewer/node_modules/.package-lock.json"
+  npm ci --prefix viewer --ignore-scripts --no-audit --no-fund
+  touch "viewer/node_modules/.package-lock.json"
 fi

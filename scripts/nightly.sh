@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # nightly.sh: runs all tests, and checks that take too long for every day: each source compiled by itself, clang-tidy over
-# all sources, both sanitizers, the unit tests on 64-bit ARM, an hour of attacks and 50 minutes of fuzzing. Takes some four
-# hours on two cores. Goes on after a failure, and names the failures at the end.
+# all sources, both commands of the README on new roots of both Debians, both sanitizers, the unit tests on 64-bit ARM, an
+# hour of attacks and 50 minutes of fuzzing. Takes some six hours on two cores. Goes on after a failure, and names the
+# failures at the end.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
@@ -18,6 +19,10 @@ run env TAMIS_WHEEL="$(ls build/dev/python/dist/*.whl)" build/dev/python/blender
 run cmake --preset dev -B build/alone -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
 run cmake --build build/alone
 run scripts/check_tidy.sh build/dev/tidy --all
+for release in trixie bookworm; do
+  run scripts/try_in_root.sh "$release" scripts/demo.sh
+  run scripts/try_in_root.sh "$release" scripts/test.sh
+done
 run scripts/sanitize.sh address
 run scripts/sanitize.sh thread
 run scripts/test_arm64.sh --all

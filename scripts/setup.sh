@@ -19,7 +19,7 @@ packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
 case ${1:-} in
   --tests)
     packages+=(libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev
-               libbullet-dev binutils valgrind "${clang[@]}" git chromium)
+               libbullet-dev binutils valgrind "${clang[@]}" git debootstrap chromium)
     # Node from elsewhere than Debian has an npm of its own, and conflicts with Debian's.
     command -v npm >/dev/null || packages+=(nodejs npm)
     ;;

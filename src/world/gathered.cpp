@@ -57,9 +57,9 @@ Mesh Gathered::make_mesh(const BodyList& bodies) {
       for (const Index own : shape.corners_of(item)) used.add(own);
     });
     const auto here = std::make_unique_for_overwrite<Index[]>(at(shape.mesh.vertex_count()));  // few are used
-    used.for_each([&, id = id](Index own) {
+    used.for_each([&, body = id](Index own) {
       here[at(own)] = static_cast<Index>(vertices_.size());
-      vertices_.push_back({id, own});
+      vertices_.push_back({body, own});
     });
     items.for_each([&](Index item) {
       const Face corners = shape.corners_of(item);

@@ -97,7 +97,7 @@ TEST(Obj, EachErrorNamesItsLine) {
       {kFour + "solid cube\n", "line 5: 'solid' is no word of OBJ"},
   };
   for (const auto& [text, says] : cases) {
-    const std::string message = test::file_error("m.obj", [&, &text = text] { parse_obj(text, "m.obj"); });
+    const std::string message = test::file_error("m.obj", [&, &bytes = text] { parse_obj(bytes, "m.obj"); });
     EXPECT_TRUE(test::contains(message, says)) << message << "\nshould say: " << says;
   }
 }

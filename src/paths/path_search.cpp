@@ -9,6 +9,7 @@
 
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
+#include "numerics/floating_point_state.hpp"
 #include "paths/cached_path.hpp"
 #include "paths/decide_path.hpp"
 #include "query/cancellation.hpp"
@@ -146,7 +147,7 @@ double PathSearch::decide(const TimeInterval<double>& piece, std::span<const std
   const std::vector<Index> used = vertices_of(pairs, places);
   std::vector<Decided> decided(places.size());
   tbb::enumerable_thread_specific<CachedPath> paths([&] { return CachedPath(asked_.path, used); });
-  tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
+  const auto decide_one = [&](std::size_t i) {
     const Contact& pair = pairs[at(places[i])];
     const PairRule rule = rule_of(asked_, paths.local(), pair);
     const PathQuestion of_pair{paths.local(),   pair.kind,        pair.vertices,
@@ -159,7 +160,8 @@ double PathSearch::decide(const TimeInterval<double>& piece, std::span<const std
       decided[i].in_contact_until = recontact ? piece.t_in : piece.t_out;
     }
     decided[i].result = result_on_path(of_pair, decision);
-  });
+  };
+  tbb::parallel_for(std::size_t{0}, places.size(), as_task(decide_one));
   double touched_by = piece.t_out;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto& [r, until] = decided[i];

@@ -50,19 +50,20 @@ void World::State::validate(std::span<const BodyId> moved, std::span<const BodyM
 
 std::vector<EarliestBodyContact> World::earliest_many(std::span<const BodyId> moved,
                                                       std::span<const BodyMotion> motions, const QueryOptions& asked) {
-  State& now = state();
-  const State::Turn turn(now);
+  const State::QuestionTurn turn(*this);
+  State& now = *turn;
   validate_of_path(asked);
   now.validate(moved, motions);
   const QueryOptions of_each = of_curves(asked);
   std::vector<EarliestBodyContact> found(motions.empty() ? 0 : motions.size() / moved.size());
   tbb::enumerable_thread_specific<std::unique_ptr<State>> worlds([&] { return std::make_unique<State>(now); });
   Arena(now.options.threads).run([&] {
-    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+    const auto ask = [&](std::size_t i) {
       State& mine = *worlds.local();
       for (std::size_t k = 0; k < moved.size(); ++k) mine.move(moved[k], motions[i * moved.size() + k]);
       found[i] = mine.earliest(of_each);
-    });
+    };
+    tbb::parallel_for(std::size_t{0}, found.size(), as_task(ask));
     now.statistics.threads = Arena::threads_here();
   });
   for (const auto& world : worlds) now.add_statistics(world->statistics);

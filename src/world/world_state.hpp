@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernels/kernels.hpp"
+#include "numerics/floating_point_state.hpp"
 #include "query/stopwatch.hpp"
 #include "tamis/busy_guard.hpp"
 #include "world/gathering.hpp"
@@ -33,6 +34,7 @@ struct World::State {
   std::atomic_flag is_asked;
 
   class Turn;
+  class QuestionTurn;
   EarliestBodyContact earliest(const QueryOptions& asked);
 
   /// Throws InvalidOptions and InvalidStep.
@@ -88,21 +90,31 @@ inline QueryOptions of_curves(QueryOptions asked) {
   return asked;
 }
 
-/// The state, for as long as one question has its turn; measures the question.
+/// The state, for as long as one change or question has its turn.
 class World::State::Turn {
  public:
-  /// Throws Busy.
-  explicit Turn(State& state) : state_(state), guard_(state.is_asked) { state_.statistics = {}; }
-  ~Turn() {
-    state_.statistics.seconds.total = watch_.seconds();
-    state_.statistics.memory_bytes = state_.memory_bytes();
-  }
+  /// Throws Busy, and Error of a world that has been moved from.
+  explicit Turn(const World& world) : state_(world.state()), guard_(state_.is_asked) {}
   Turn(const Turn&) = delete;
   State* operator->() const { return &state_; }
+  State& operator*() const { return state_; }
 
  private:
   State& state_;
   const BusyGuard guard_;
+  const ComputingState computing_;
+};
+
+/// The turn of a question, which is measured.
+class World::State::QuestionTurn : public Turn {
+ public:
+  explicit QuestionTurn(const World& world) : Turn(world) { (*this)->statistics = {}; }
+  ~QuestionTurn() {
+    (*this)->statistics.seconds.total = watch_.seconds();
+    (*this)->statistics.memory_bytes = (*this)->memory_bytes();
+  }
+
+ private:
   const Stopwatch watch_;
 };
 

@@ -35,11 +35,7 @@ World::State::State(const State& other)
 }
 
 void World::State::validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions) {
-  std::vector<BodyId> ordered(moved.begin(), moved.end());
-  std::ranges::sort(ordered);
-  const auto twice = std::ranges::adjacent_find(ordered);
-  if (twice != ordered.end())
-    throw InvalidOptions("body " + std::to_string(*twice) + " is named twice: give each once");
+  refuse_twice(moved);
   for (const BodyId id : moved) body(id);
   if (moved.empty() ? !motions.empty() : motions.size() % moved.size() != 0)
     throw InvalidOptions(std::to_string(motions.size()) + " motions for " + std::to_string(moved.size()) +

@@ -1,6 +1,5 @@
 #include "tamis/world.hpp"
 
-#include <limits>
 #include <string>
 
 #include "detect/validate.hpp"
@@ -30,18 +29,19 @@ World::State& World::state() const {
 }
 
 BodyId World::add(const Shape& shape, BodyMotion motion) {
-  const State::Turn now(*this);
-  if (now->bodies.size() >= at(std::numeric_limits<BodyId>::max()))
-    throw InvalidOptions("the world has had 2^31 - 1 bodies, and numbers are not given twice: make another world");
-  const auto id = static_cast<BodyId>(now->bodies.size());
-  now->bodies.push_back(std::make_unique<Body>(id, shape.shape_, std::move(motion)));
-  now->forget_if_still(*now->bodies.back());
-  return id;
+  std::vector<BodyMotion> one;
+  one.push_back(std::move(motion));
+  return add_many(shape, std::move(one)).front();
 }
 
-void World::move(BodyId body, BodyMotion motion) {
-  const State::Turn now(*this);
-  now->move(body, std::move(motion));
+std::vector<BodyId> World::add_many(const Shape& shape, std::vector<BodyMotion> motions) {
+  return State::Turn(*this)->add(shape.shape_, std::move(motions));
+}
+
+void World::move(BodyId body, BodyMotion motion) { State::Turn(*this)->move(body, std::move(motion)); }
+
+void World::move_many(std::span<const BodyId> bodies, std::vector<BodyMotion> motions) {
+  State::Turn(*this)->move(bodies, std::move(motions));
 }
 
 const BodyMotion& World::motion(BodyId body) const {
@@ -84,22 +84,12 @@ void World::set_radius(BodyId body, double radius) {
 }
 
 void World::set_may_touch(BodyId a, BodyId b, bool may_touch) {
-  const State::Turn now(*this);
-  Body& first = now->body(a);
-  const Body& second = now->body(b);
-  if (a == b) {
-    if (may_touch && !first.deforming())
-      throw InvalidOptions("body " + std::to_string(a) + " does not deform, so it cannot touch itself: leave that out");
-    first.may_touch_itself = may_touch;
-    return;
-  }
-  if (may_touch && first.motion_kind() == MotionKind::still && second.motion_kind() == MotionKind::still)
-    throw InvalidOptions(
-        "bodies " + std::to_string(a) + " and " + std::to_string(b) +
-        " both stay where they are, and two such bodies are never asked about: tell one of them a motion");
-  const BodyPair pair{std::min(a, b), std::max(a, b)};
-  const bool is_changed = may_touch ? now->excluded_pairs.erase(pair) > 0 : now->excluded_pairs.insert(pair).second;
-  if (is_changed) now->forget_gathered(first);
+  const BodyPair pair[]{{a, b}};
+  set_may_touch(pair, may_touch);
+}
+
+void World::set_may_touch(std::span<const std::array<BodyId, 2>> pairs, bool may_touch) {
+  State::Turn(*this)->set_may_touch(pairs, may_touch);
 }
 
 const Statistics& World::statistics() const {

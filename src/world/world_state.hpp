@@ -19,7 +19,12 @@ struct World::State {
   State(const State& other);
 
   Body& body(BodyId id);
+  // Changes of one or many bodies: all of it is computed before any of it is done.
+
+  std::vector<BodyId> add(const std::shared_ptr<const BodyShape>& shape, std::vector<BodyMotion> motions);
   void move(BodyId id, BodyMotion motion);
+  void move(std::span<const BodyId> ids, std::vector<BodyMotion> motions);
+  void set_may_touch(std::span<const BodyPair> pairs, bool may_touch);
   /// To be called when a body is removed, or when anything of it but its motion has changed: drops the gathered meshes.
   void forget_gathered(const Body& changed);
   /// To be called when a body is added or given another motion. Gathered meshes notice both by themselves.
@@ -37,6 +42,12 @@ struct World::State {
   class QuestionTurn;
   EarliestBodyContact earliest(const QueryOptions& asked);
 
+  void become(Body& body, Body moved) noexcept;
+  void drop_gathered();
+  /// Throws InvalidOptions.
+  void require_may_touch(BodyId a, BodyId b, bool may_touch);
+  /// Throws InvalidOptions if a body is named twice.
+  static void refuse_twice(std::span<const BodyId> ids);
   /// Throws InvalidOptions and InvalidStep.
   void validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions);
   /// Pairs of bodies that may touch, ascending, both switched on and not both still, whose hulls come within the

@@ -10,6 +10,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "numerics/plain_arithmetic.hpp"
+
 namespace tamis {
 
 /// The bits of a thread's registers that decide how results round, which subnormal numbers are zero, and which results

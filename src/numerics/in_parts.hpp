@@ -73,14 +73,28 @@ bool all_in_parts(std::span<const Item> items, std::size_t grain, const F& is_so
   return are_so;
 }
 
+/// An order for a sort that calls pause() now and then, from the threads that sort; an exception that it throws leaves
+/// the items in no order. Keeps references.
+template <class Order, class Pause>
+auto pausing(const Order& comes_before, const Pause& pause) {
+  return [&comes_before, pause_in_task = as_task(pause)](const auto& a, const auto& b) {
+    constexpr unsigned kComparisonsPerPause = 1U << 14;  // below a millisecond
+    static thread_local unsigned compared = 0;
+    if (++compared % kComparisonsPerPause == 0) pause_in_task();
+    return comes_before(a, b);
+  };
+}
+
 /// Sorts by a total order: only equal items are neither before nor after each other. REQUIRES (not checked: O(n)): an
-/// order of integers, which needs no floating-point state. Without other threads, std::sort is faster than oneTBB's.
-template <class Items, class Order>
-void sort_in_parts(Items& items, const Order& comes_before) {
+/// order of integers, for which the state of floating-point numbers does not matter. `pause`: as in pausing(). Without
+/// other threads, std::sort is faster than oneTBB's sort.
+template <class Items, class Order, class Pause>
+void sort_in_parts(Items& items, const Order& comes_before, const Pause& pause) {
+  const auto order = pausing(comes_before, pause);
   if (has_other_threads())
-    tbb::parallel_sort(items, comes_before);
+    tbb::parallel_sort(items, order);
   else
-    std::sort(items.begin(), items.end(), comes_before);
+    std::sort(items.begin(), items.end(), order);
 }
 
 }  // namespace tamis

@@ -2,6 +2,7 @@
 #include "c/world.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@
 namespace tamis::c {
 namespace {
 
-/// Refuses bodies that are named twice: the second time the body may be gone.
+/// Refuses bodies that are named twice: the second time the body is gone.
 void refuse_twice(std::span<const BodyId> bodies) {
   std::vector<BodyId> ordered(bodies.begin(), bodies.end());
   std::sort(ordered.begin(), ordered.end());
@@ -26,32 +27,6 @@ template <class Work>
 void change(World& world, std::span<const BodyId> bodies, const Work& work) {
   for (const BodyId body : bodies) static_cast<void>(world.motion(body));
   work(world);
-}
-
-/// Adds all bodies or none; writes their numbers.
-void add(World& world, const Shape& shape, std::vector<BodyMotion> motions, int32_t* numbers) {
-  std::vector<BodyId> added;
-  try {
-    for (BodyMotion& motion : motions) added.push_back(world.add(shape, std::move(motion)));
-  } catch (...) {
-    for (const BodyId body : added) world.remove(body);
-    throw;
-  }
-  std::copy(added.begin(), added.end(), numbers);
-}
-
-/// Moves all bodies or none.
-void move(World& world, std::span<const BodyId> bodies, std::vector<BodyMotion> motions) {
-  std::vector<BodyMotion> before;
-  try {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      before.push_back(world.motion(bodies[i]));
-      world.move(bodies[i], std::move(motions[i]));
-    }
-  } catch (...) {
-    for (std::size_t i = 0; i < before.size(); ++i) world.move(bodies[i], std::move(before[i]));
-    throw;
-  }
 }
 
 }  // namespace
@@ -86,16 +61,14 @@ tamis_status tamis_world_add(tamis_world* world, const tamis_shape* shape, const
     const tamis_motions given = read_sized(motions, "motions");
     check_count(given.count, "count");
     if (given.count > 0) required(bodies, "bodies");
-    add(*handle.object, made<tamis::InvalidMesh>(shape, "shape"), motions_of(given), bodies);
+    std::ranges::copy(handle.object->add_many(made<tamis::InvalidMesh>(shape, "shape"), motions_of(given)), bodies);
   });
 }
 
 tamis_status tamis_world_move(tamis_world* world, const int32_t* bodies, const tamis_motions* motions) {
   return with(world, [&](tamis_world& handle) {
     const tamis_motions given = read_sized(motions, "motions");
-    const auto named = bodies_of(bodies, given.count, "count");
-    refuse_twice(named);
-    move(*handle.object, named, motions_of(given));
+    handle.object->move_many(bodies_of(bodies, given.count, "count"), motions_of(given));
   });
 }
 
@@ -144,8 +117,7 @@ tamis_status tamis_world_set_may_touch(tamis_world* world, const int32_t* bodies
   return with(world, [&](tamis_world& handle) {
     check_count(count, "count");
     const auto named = bodies_of(bodies, 2 * count, "count");
-    change(*handle.object, named, [&](tamis::World& w) {
-      for (std::size_t i = 0; i < named.size(); i += 2) w.set_may_touch(named[i], named[i + 1], may_touch != 0);
-    });
+    const auto* first = reinterpret_cast<const std::array<tamis::BodyId, 2>*>(named.data());
+    handle.object->set_may_touch({first, count}, may_touch != 0);
   });
 }

@@ -3,7 +3,8 @@ function(tamis_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   # No contraction: a product and a sum must round twice, or the error bounds do not hold.
-  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+  # A parent project's options stand before a target's: these take -ffast-math and -Ofast back. The sources refuse what is left.
+  target_compile_options(${target} PRIVATE -fno-fast-math -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
   if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     # Templates serve doubles and lanes, so they join conditions with & and | for bool, too.
     target_compile_options(${target} PRIVATE -Wno-bitwise-instead-of-logical)

@@ -25,7 +25,7 @@ inline PairVertices in_contact_order(PairKind kind, PairVertices v) {
 /// Does the caller's PairFilter let this pair pass? `v` in contact order.
 inline bool lets_pass(const PairFilter& filter, PairKind kind, const PairVertices& v) {
   if (has_groups(filter) && !may_touch(filter, v[0], v[second_feature(kind)])) return false;
-  return !filter.accepts || isolated([&] { return filter.accepts(kind, v); });
+  return !filter.accepts || of_caller([&] { return filter.accepts(kind, v); });
 }
 
 /// Calls f(kind, vertices) for every such pair of features; vertices in contact order.

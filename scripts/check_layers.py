@@ -11,10 +11,12 @@ LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filt
          "exact": 5, "narrow": 6, "kernels": 7, "query": 8, "coherence": 9, "search": 10,
          "paths": 11, "detect": 12, "world": 13}
 # Folders outside the library, and what each may include besides itself and the public headers.
-OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "audit", "io", "scenes"],
+OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "audit", "io", "scenes", "numerics"],
            # Ranks find a frame together, and give it to their detectors.
-           "mpi/include": [], "mpi/src": ["mpi", "bounds", "detect"], "mpi/command": ["mpi", "io", "cli"],
-           "audit": [], "io": ["audit"], "scenes": ["io"], "cli": ["audit", "io", "scenes"], "adapters": ["c", "io"],
+           "mpi/include": [], "mpi/src": ["mpi", "bounds", "detect", "numerics"], "mpi/command": ["mpi", "io", "cli"],
+           "audit": [],
+           # Files set the floating-point state as the library does.
+           "io": ["audit", "numerics", "paths"], "scenes": ["io"], "cli": ["audit", "io", "scenes"], "adapters": ["c", "io"],
            "bench/contenders": ["io", "scenes", "oracle", "bench", "lab"], "bench/distributed": ["bench"],
            "bench/stages": ["scenes", "io", "bench", "lab", *LAYER],
            "bench/exact": ["scenes", "io", "bench", "oracle", "support", *LAYER],

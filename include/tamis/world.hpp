@@ -97,7 +97,8 @@ struct BodyStep {
 /// Items of other pairs that may touch are gathered and given to detectors, which the world keeps: one for each
 /// deforming body by itself, one for pairs of bodies all of whose vertices go straight, one for pairs of which a body
 /// turns. So answers are proven as those about a Step or a Path. One question or change at a time: a second one throws
-/// Busy. The answers do not depend on the number of threads, on the instruction set, or on earlier questions.
+/// Busy. A change that throws, also for want of memory, has changed nothing. The answers do not depend on the number of
+/// threads, on the instruction set, or on earlier questions.
 class World {
  public:
   /// Of the options, `threads`, `min_separation`, `isa`, `is_cancelled` and the filter's `rings` count; everything else
@@ -110,9 +111,14 @@ class World {
   /// Throws InvalidStep if a deforming body has not one point for each vertex of the shape at each end, if numbers are
   /// not finite, or if a body turns too far (Rigid).
   BodyId add(const Shape& shape, BodyMotion motion);
+  /// A body for each motion, or none of them.
+  std::vector<BodyId> add_many(const Shape& shape, std::vector<BodyMotion> motions);
   /// Tells a body its motion from now on, of the same kind or another. Throws as `add`. All functions that name a body
   /// throw InvalidOptions if the world never had it, or has it no more.
   void move(BodyId body, BodyMotion motion);
+  /// The same for each of some bodies, all or none. Throws InvalidOptions, too, if a body is named twice, or if there
+  /// are not as many motions.
+  void move_many(std::span<const BodyId> bodies, std::vector<BodyMotion> motions);
   /// The body's last motion; valid until the next change of the world.
   const BodyMotion& motion(BodyId body) const;
   /// Where a body's vertices are at `time` in [0,1] of its motion, on the curves that questions are about: at a
@@ -130,6 +136,8 @@ class World {
   /// Sets whether two bodies, or a deforming body with itself (a == b), may touch. At first all may, except two static
   /// bodies and a body with itself that does not deform: to allow one of these throws InvalidOptions.
   void set_may_touch(BodyId a, BodyId b, bool may_touch);
+  /// The same for each of some pairs, all or none.
+  void set_may_touch(std::span<const std::array<BodyId, 2>> pairs, bool may_touch);
 
   /// All contacts, sorted by kind, then bodies and vertices in the order of the features. If one of two bodies turns,
   /// its contacts are answers about a Path (Detector): some may be unresolved, QueryOptions::tolerance counts, and

@@ -2,6 +2,7 @@
 
 #include "io/output/contacts_csv.hpp"
 #include "io/output/csv.hpp"
+#include "numerics/floating_point_state.hpp"
 
 namespace tamis::io {
 
@@ -15,6 +16,7 @@ void BodiesCsv::add(std::size_t step, std::span<const BodyContact> contacts, std
 }
 
 void write_body_contacts_csv(const std::filesystem::path& path, std::span<const BodyContact> contacts) {
+  const ComputingState state;
   CsvTable table(path, fmt::format("b0,b1,{}", kContactColumns));
   for (const BodyContact& c : contacts) table.row("{},{},{}\n", c.bodies[0], c.bodies[1], contact_cells(c));
   table.commit();

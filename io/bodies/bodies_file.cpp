@@ -6,6 +6,7 @@
 #include "io/file_bytes.hpp"
 #include "io/json_file.hpp"
 #include "io/mesh/frames.hpp"
+#include "numerics/floating_point_state.hpp"
 
 namespace tamis::io {
 namespace {
@@ -170,6 +171,7 @@ class Parser {
 }  // namespace
 
 BodiesFile read_bodies(const std::filesystem::path& path) {
+  const ComputingState state;
   const FileBytes bytes(path);
   const JsonFile json(bytes.view(), path.string());
   return Parser(path, json.root()).parse();

@@ -6,6 +6,7 @@
 #include "io/error.hpp"
 #include "io/file_bytes.hpp"
 #include "io/mesh/mesh_formats.hpp"
+#include "numerics/floating_point_state.hpp"
 
 namespace tamis::io {
 namespace {
@@ -51,6 +52,7 @@ void require_same(const std::vector<T>& first, const std::vector<T>& second, con
 }  // namespace
 
 MeshFile read_mesh(const std::filesystem::path& path) {
+  const ComputingState state;
   MeshFile mesh = parse(FileBytes(path), path);
   if (mesh.positions.empty()) throw FileError(path.string(), "", "no vertex in it: give a mesh");
   if (mesh.positions.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))

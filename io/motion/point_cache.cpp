@@ -5,6 +5,7 @@
 
 #include "io/error.hpp"
 #include "io/extension.hpp"
+#include "numerics/floating_point_state.hpp"
 
 namespace tamis::io {
 namespace {
@@ -83,6 +84,7 @@ PointCache::PointCache(const std::filesystem::path& path, std::shared_ptr<const 
 }
 
 audit::FramePointer PointCache::next() {
+  const ComputingState state;
   if (next_ == header_.frames) return std::exchange(has_ended_, true) ? nullptr : what_is_left();
   audit::Frame frame{header_.names[next_], {}, mesh_};
   if (read(frame.positions)) {

@@ -1,6 +1,7 @@
 #include "io/output/audit_csv.hpp"
 
 #include "io/output/csv_table.hpp"
+#include "numerics/floating_point_state.hpp"
 
 namespace tamis::io {
 namespace {
@@ -19,6 +20,7 @@ std::string rings_of(const audit::Finding& pair) {
 }  // namespace
 
 void write_audit_pairs_csv(const std::filesystem::path& path, const audit::Report& report) {
+  const ComputingState state;
   CsvTable table(path, "frame,kind,v0,v1,v2,v3,v4,toi_lower,toi_upper,object_a,object_b,rings");
   for (const audit::Finding& pair : report.pairs)
     table.row("{},{},{},{},{},{},{},{},{},{},{},{}\n", pair.frame, name_of(pair.kind), pair.vertices[0],
@@ -28,6 +30,7 @@ void write_audit_pairs_csv(const std::filesystem::path& path, const audit::Repor
 }
 
 void write_audit_frames_csv(const std::filesystem::path& path, const audit::Report& report) {
+  const ComputingState state;
   CsvTable table(path, "frame,name,usable,step,vf,ee,ve,vv,ef,neighbours,toi_lower,toi_upper");
   for (std::size_t i = 0; i < report.frames.size(); ++i) {
     const audit::FrameAnswer& frame = report.frames[i];

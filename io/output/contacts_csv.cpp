@@ -1,6 +1,7 @@
 #include "io/output/contacts_csv.hpp"
 
 #include "io/output/csv_table.hpp"
+#include "numerics/floating_point_state.hpp"
 
 namespace tamis::io {
 
@@ -12,6 +13,7 @@ std::string contact_cells(const Contact& c) {
 }
 
 void write_contacts_csv(const std::filesystem::path& path, std::span<const Contact> contacts) {
+  const ComputingState state;
   CsvTable table(path, kContactColumns);
   for (const Contact& c : contacts) table.row("{}\n", contact_cells(c));
   table.commit();

@@ -4,6 +4,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/output/contact_geometry.hpp"
+#include "numerics/floating_point_state.hpp"
 
 namespace tamis::io {
 namespace {
@@ -85,6 +86,7 @@ void add_cells(Document& document, std::size_t count) {
 
 void write_contacts_vtp(const std::filesystem::path& path, std::span<const Contact> contacts,
                         std::span<const Point> start, std::span<const Point> end) {
+  const ComputingState state;
   Document document(path, "PolyData");
   document.add("<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\">\n", contacts.size());
   add_data(document, contacts);
@@ -97,6 +99,7 @@ void write_contacts_vtp(const std::filesystem::path& path, std::span<const Conta
 
 void write_contacts_vtu(const std::filesystem::path& path, std::span<const Contact> contacts,
                         std::span<const Point> start, std::span<const Point> end) {
+  const ComputingState state;
   constexpr int kVertexCell = 1;  // as VTK numbers it
   Document document(path, "UnstructuredGrid");
   document.add("<Piece NumberOfPoints=\"{0}\" NumberOfCells=\"{0}\">\n", contacts.size());

@@ -9,6 +9,7 @@
 #include "io/output/colours.hpp"
 #include "io/output/contact_geometry.hpp"
 #include "io/output/glb_scene.hpp"
+#include "numerics/floating_point_state.hpp"
 
 namespace tamis::io {
 namespace {
@@ -78,6 +79,7 @@ void add_contacts(GlbScene& scene, const Extent& extent, std::span<const Point> 
 
 void write_glb(const std::filesystem::path& path, const Mesh& mesh, std::span<const Point> start,
                std::span<const Point> end, std::span<const Contact> contacts) {
+  const ComputingState state;
   const Extent extent = extent_of(mesh, start, end);
   // Displacements, and their sums with positions in readers, must not overflow floats either.
   if (!(extent.half < std::numeric_limits<float>::max() / 4))

@@ -5,6 +5,7 @@
 #include "io/picture/legend.hpp"
 #include "io/picture/png.hpp"
 #include "io/picture/scenery.hpp"
+#include "numerics/floating_point_state.hpp"
 
 namespace tamis::io {
 namespace {
@@ -37,14 +38,16 @@ Rgb pixel_at(const Scenery& scenery, const PictureOptions& options, int column, 
 void require_pictures() {}
 
 void write_picture(const std::filesystem::path& path, const Recording& recording, const PictureOptions& options) {
+  const ComputingState state;
   const Scenery scenery(recording, options);
   Image image{options.width, options.height, {}};
   image.pixels.resize(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height));
-  tbb::parallel_for(0, options.height, [&](int row) {
+  const auto draw = [&](int row) {
     for (int column = 0; column < options.width; ++column)
       image.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(options.width) +
                    static_cast<std::size_t>(column)] = pixel_at(scenery, options, column, row);
-  });
+  };
+  tbb::parallel_for(0, options.height, as_task(draw));
   if (!recording.pose && !recording.steps.front().contacts.empty()) draw_legend(image);  // of times: a pose has none
   write_png(path, image);
 }

@@ -5,6 +5,7 @@
 
 #include "io/error.hpp"
 #include "io/view/viewer_page.hpp"
+#include "numerics/floating_point_state.hpp"
 
 namespace tamis::io {
 namespace {
@@ -61,6 +62,7 @@ class ShownFrames {
 }  // namespace
 
 void write_audit_page(const std::filesystem::path& path, const audit::Report& report) {
+  const ComputingState state;
   const std::vector<FrameFindings>& kept = report.kept.frames();
   const auto mesh = shown_mesh(kept);
   if (!mesh) throw FileError(path.string(), "", why_nothing_is_shown(report));

@@ -6,6 +6,8 @@
 
 #include "io/extent.hpp"
 #include "io/view/path_positions.hpp"
+#include "numerics/floating_point_state.hpp"
+#include "paths/callers_path.hpp"
 
 namespace tamis::io {
 namespace {
@@ -42,7 +44,9 @@ int pieces_of(const Path& path, const Mesh& mesh) {
 
 }  // namespace
 
-void add_path(Recording& recording, const Path& path, const FoundOnPath& found, const std::string& step) {
+void add_path(Recording& recording, const Path& callers, const FoundOnPath& found, const std::string& step) {
+  const ComputingState state;
+  const CallersPath path(callers);
   const int pieces = pieces_of(path, recording.mesh);
   const std::size_t first = recording.steps.size();
   for (int i = recording.frames.empty() ? 0 : 1; i <= pieces; ++i) {

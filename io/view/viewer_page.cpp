@@ -9,6 +9,7 @@
 #include "io/error.hpp"
 #include "io/view/quantised.hpp"
 #include "io/view/scene_bytes.hpp"
+#include "numerics/floating_point_state.hpp"
 
 // The built page becomes part of the program, or of the module for Python.
 asm(".section .rodata\n"
@@ -52,6 +53,7 @@ void append_base64(AtomicFile& file, std::string_view bytes) {
 }  // namespace
 
 void write_viewer_page(const std::filesystem::path& path, const Recording& recording) {
+  const ComputingState state;
   if (const std::string_view why = why_not_quantised(recording); !why.empty())
     throw FileError(path.string(), "", fmt::format("{}, or write csv or vtp", why));
   const std::string_view page(tamis_page_begin, static_cast<std::size_t>(tamis_page_end - tamis_page_begin));

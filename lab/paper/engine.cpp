@@ -16,6 +16,7 @@
 #include "lab/paper/tester.hpp"
 #include "lab/topology/orphan_sets.hpp"
 #include "lab/topology/surface.hpp"
+#include "numerics/floating_point_state.hpp"
 #include "query/engine.hpp"
 #include "query/stage_counts.hpp"
 #include "query/stopwatch.hpp"
@@ -138,22 +139,25 @@ class PaperEngine final : public Engine {
       if (question != Question::all_contacts) tester.flush();
     };
     const auto parts = traversal.parts(kParts);
-    tbb::parallel_for_each(parts.begin(), parts.end(), [&](const SubtreePair& part) {
+    const auto visit = [&](const SubtreePair& part) {
       run([&](PaperTester& tester) {
         traversal.visit(
             part, [&](Index a, Index b) { tester.add_triangles(a, b); }, tester.counts.bounds_tested);
       });
-    });
+    };
+    tbb::parallel_for_each(parts.begin(), parts.end(), as_task(visit));
     const auto in_chunks = [&](const auto& pairs, auto add) {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), kChunk), [&](const auto& range) {
+      const auto add_chunk = [&](const auto& range) {
         run([&](PaperTester& tester) {
           for (std::size_t i = range.begin(); i < range.end(); ++i) add(tester, pairs[i]);
         });
-      });
+      };
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), kChunk), as_task(add_chunk));
     };
     in_chunks(orphans_.vf, [](PaperTester& tester, const auto& pair) { tester.add_vertex_face(pair[0], pair[1]); });
     in_chunks(orphans_.ee, [](PaperTester& tester, const auto& pair) { tester.add_edges(pair[0], pair[1]); });
-    tbb::parallel_for_each(testers_.begin(), testers_.end(), [](PaperTester& tester) { tester.flush(); });
+    const auto flush = [](PaperTester& tester) { tester.flush(); };
+    tbb::parallel_for_each(testers_.begin(), testers_.end(), as_task(flush));
   }
 
   void collect(ContactCollector& answer, Statistics& statistics, double seconds) {

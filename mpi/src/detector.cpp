@@ -5,6 +5,7 @@
 #include "mpi/src/first_of_all.hpp"
 #include "mpi/src/same_on_all.hpp"
 #include "mpi/src/searches.hpp"
+#include "numerics/floating_point_state.hpp"
 #include "tamis/busy_guard.hpp"
 #include "tamis/distributed.hpp"
 #include "tamis/error.hpp"
@@ -90,14 +91,17 @@ struct Detector::State {
 };
 
 Detector::Detector(MPI_Comm communicator, const LocalMesh& mesh, Options options)
-    : state_(agreed_or_ended(communicator,
-                             [&] { return std::make_unique<State>(communicator, mesh, std::move(options)); })) {}
+    : state_(computing([&] {
+        return agreed_or_ended(communicator,
+                               [&] { return std::make_unique<State>(communicator, mesh, std::move(options)); });
+      })) {}
 Detector::~Detector() = default;
 Detector::Detector(Detector&&) noexcept = default;
 Detector& Detector::operator=(Detector&&) noexcept = default;
 
 const std::vector<Contact>& Detector::contacts(const Step& step, const QueryOptions& options) {
   const BusyGuard guard(state_->is_asked);
+  const ComputingState computing_state;
   state_->ask("contacts", step, options, [&] { state_->find_contacts(); });
   agreed_or_ended(state_->searches.communicator().raw(), [&] { state_->searches.watch_balance(); });
   return state_->contacts;
@@ -105,6 +109,7 @@ const std::vector<Contact>& Detector::contacts(const Step& step, const QueryOpti
 
 std::vector<Contact> Detector::gather_contacts(int root) {
   const BusyGuard guard(state_->is_asked);
+  const ComputingState computing_state;
   Communicator& communicator = state_->searches.communicator();
   return agreed_or_ended(communicator.raw(), [&] {
     require_same(communicator, {"gather contacts on rank " + std::to_string(root)});
@@ -117,6 +122,7 @@ std::vector<Contact> Detector::gather_contacts(int root) {
 
 EarliestContact Detector::earliest(const Step& step, const QueryOptions& options) {
   const BusyGuard guard(state_->is_asked);
+  const ComputingState computing_state;
   EarliestContact first;
   state_->ask("earliest", step, options, [&] { first = state_->find_earliest(); });
   return first;
@@ -124,6 +130,7 @@ EarliestContact Detector::earliest(const Step& step, const QueryOptions& options
 
 bool Detector::is_free(const Step& step, const QueryOptions& options) {
   const BusyGuard guard(state_->is_asked);
+  const ComputingState computing_state;
   bool is_free = false;
   state_->ask("is_free", step, options, [&] { is_free = state_->find_whether_free(); });
   return is_free;
@@ -131,6 +138,7 @@ bool Detector::is_free(const Step& step, const QueryOptions& options) {
 
 SafeStep Detector::safe_step(const Step& step, double keep, const QueryOptions& options) {
   const BusyGuard guard(state_->is_asked);
+  const ComputingState computing_state;
   SafeStep safe;
   state_->ask("safe_step " + exact(keep), step, options, [&] { safe = state_->find_safe_step(keep); });
   return safe;

@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "numerics/floating_point_state.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/signals.hpp"
@@ -55,9 +56,10 @@ nb::dict descriptions(const Scenes& scenes) {
 void bind_scenes(nb::module_& module) {
   const nb::arg any;
   const auto or_none = nb::arg().none();
-  module.def("scene", &scene);
+  using ToNearest = nb::call_guard<ComputingState>;
+  module.def("scene", &scene, ToNearest());
   module.def("scene_names", [] { return descriptions(scenes::recipes()); });
-  module.def("simulate", &simulate, any, any, or_none, or_none, any);
+  module.def("simulate", &simulate, any, any, or_none, or_none, any, ToNearest());
   module.def("frame_path", &simulation::frame_path);
   module.def("simulated_scenes", [] { return descriptions(simulation::simulated_scenes()); });
 }

@@ -18,6 +18,9 @@ Groups = npt.NDArray[np.uint8]
 _DOUBLE = np.dtype(np.float64)
 
 
+# Doubles hold all integers up to here.
+_FIRST_GAP = 2.0**53
+
 _REAL = "floating-point numbers or integers"
 _WHOLE = "integers below 2^31"
 
@@ -36,8 +39,30 @@ def _array(given: npt.ArrayLike, name: str, error: type[Error], kinds: str, want
 
 
 def numbers(given: npt.ArrayLike, name: str, error: type[Error]) -> npt.NDArray[Any]:
-    """Return an array of real numbers, of any shape."""
-    return _array(given, name, error, "iuf", _REAL)
+    """Return an array of real numbers, of any shape; raise if a double would round one of them."""
+    array = _array(given, name, error, "iuf", _REAL)
+    if array.dtype.itemsize > 4 and array.dtype != _DOUBLE:
+        _require_doubles(array, name, error)
+    elif array.dtype == _DOUBLE and not hasattr(given, "dtype") and (np.abs(array) >= _FIRST_GAP).any():
+        whole = [x for x in np.asarray(given, dtype=object).flat if isinstance(x, (int, np.integer))]
+        _require_doubles(np.asarray(whole, dtype=object), name, error)
+    return array
+
+
+def _require_doubles(array: npt.NDArray[Any], name: str, error: type[Error]) -> None:
+    """Raise if a number is no double: an integer beyond 2^53, or one of more digits than a double has."""
+    with np.errstate(over="ignore"):  # what becomes infinite is refused
+        nearest = array.astype(_DOUBLE)
+    # Compared as what they were: NumPy would compare integers with doubles as doubles.
+    if array.dtype.kind == "f":
+        wrong = (nearest.astype(array.dtype) != array) & ~np.isnan(array)
+        candidates = array[wrong]
+    else:
+        large = (nearest >= _FIRST_GAP) | (nearest <= -_FIRST_GAP)
+        candidates = array[large]
+        candidates = candidates[[int(x) != int(d) for x, d in zip(candidates, nearest[large])]]
+    if candidates.size > 0:
+        raise error(f"{name} holds {str(candidates.flat[0])}, which a double would round: subtract an offset, or give doubles")
 
 
 def shape_text(array: npt.NDArray[Any]) -> str:

@@ -28,10 +28,21 @@ def number(given: Any, name: str, error: type[Error] = InvalidOptions) -> float:
     is_single = not isinstance(given, (str, bytes, bytearray, bool, np.bool_)) and getattr(given, "ndim", 0) == 0
     try:
         if is_single and (hasattr(given, "__float__") or hasattr(given, "__index__")) and not np.iscomplexobj(given):
-            return float(given)
+            value = float(given)
+            if _is_rounded(given, value):
+                raise error(f"{name} is {str(given)}, which a double would round: give a double")
+            return value
     except (TypeError, ValueError, OverflowError):
         pass
     raise error(f"{name} is {shown(given)}: give one number")
+
+
+def _is_rounded(given: Any, value: float) -> bool:
+    """Whether a double cannot hold an integer, or a number of NumPy's with more digits."""
+    exact = given[()] if isinstance(given, np.ndarray) else given
+    if isinstance(exact, (int, np.integer)):
+        return int(exact) != value
+    return isinstance(exact, np.longdouble) and exact == exact and np.longdouble(value) != exact
 
 
 def number_from_zero(given: Any, name: str) -> float:

@@ -168,3 +168,37 @@ def test_a_mask_is_not_lost(falling: tamis.Scene) -> None:
     masked = np.ma.masked_array(falling.start, mask=True)
     with pytest.raises(tamis.InvalidStep, match="start is a masked array"):
         tamis.Detector(falling.mesh).is_free(masked, falling.end)
+
+
+INEXACT = {
+    "an integer": lambda rows: np.where(rows == 0, 2**53 + 1, 1).astype(np.int64),
+    "an unsigned integer": lambda rows: np.where(rows == 0, 2**64 - 1, 1).astype(np.uint64),
+    "more digits": lambda rows: rows + np.longdouble(1) / 3,
+    "an integer of Python": lambda rows: [[2**53 + 1, 0.5, 0]] * len(rows),
+    "beyond doubles": lambda rows: rows + np.longdouble(10) ** 400,
+}
+
+
+@pytest.mark.parametrize("name", INEXACT)
+def test_what_a_double_would_round_is_refused(falling: tamis.Scene, name: str) -> None:
+    """Bug: coordinates beyond 2^53 were rounded in silence, so that answers were about other positions."""
+    if np.finfo(np.longdouble).nmant == 52 and name in ("more digits", "beyond doubles"):
+        pytest.skip("long doubles are doubles here")
+    bad = INEXACT[name](falling.start)
+    detector = tamis.Detector(falling.mesh)
+    for ask in (lambda: detector.contacts(bad, falling.end), lambda: detector.pairs_within(bad, 0.1)):
+        with pytest.raises(tamis.InvalidStep, match="which a double would round"):
+            ask()
+    with pytest.raises(tamis.InvalidPath, match="which a double would round"):
+        tamis.BezierPath([bad, falling.end])
+
+
+def test_exact_numbers_of_any_type_are_taken(falling: tamis.Scene) -> None:
+    whole = np.round(8 * falling.start)
+    detector = tamis.Detector(falling.mesh)
+    expected = detector.pairs_within(whole, 1.0)
+    for dtype in (np.int64, np.float32, np.longdouble, ">f8", np.int16):
+        assert detector.pairs_within(whole.astype(dtype), 1.0) == expected
+    assert detector.pairs_within((whole.astype(np.int64) * 2**53), 1e16) is not None
+    with pytest.raises(tamis.InvalidOptions, match="which a double would round"):
+        detector.pairs_within(whole, 2**53 + 1)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -81,3 +83,12 @@ def test_bad_paths() -> None:
         tamis.between(STILL, [[0, 0, 0]])
     with pytest.raises(tamis.InvalidOptions):
         tamis.narrow_phase(EE, [0, 1, 2, 3], turning_rod(), tolerance=0.0)
+
+
+def test_paths_say_that_they_cannot_be_pickled() -> None:
+    frames = np.zeros((2, 3, 3))
+    function = tamis.FunctionPath(1, lambda t, v: (frames[0][v], 0.0), lambda a, b, v: 0.0)
+    for path in (turning_rod(), tamis.BezierPath(frames), tamis.CatmullRomPath(frames), function):
+        for make in (pickle.dumps, copy.copy):
+            with pytest.raises(TypeError, match=f"a {type(path).__name__} cannot be pickled or copied: pickle what"):
+                make(path)

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bounds/moving_boxes.hpp"
+#include "numerics/floating_point_state.hpp"
 
 namespace tamis {
 namespace {
@@ -78,7 +79,7 @@ void halve(const CenterRange& range, const Halving& how) {
   const auto above = [&] { halve(halves.high, how); };
   if (count >= kParallelFrom) {
     how.pause();
-    tbb::parallel_invoke(below, above);
+    tbb::parallel_invoke(as_task(below), as_task(above));
   } else {
     below();
     above();

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "curves/chain_motion.hpp"
+#include "numerics/floating_point_state.hpp"
 #include "numerics/number_text.hpp"
 #include "tamis/error.hpp"
 #include "tamis/rigid_path.hpp"
@@ -75,6 +76,7 @@ void require_finite(const Pose& start, const Pose& end) {
 }  // namespace
 
 Pose pose_of_quaternion(const std::array<double, 4>& q, const Point& position) {
+  const ComputingState state;
   const double off = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1;
   if (!(std::fabs(off) <= kMostRounding))
     throw InvalidPath("the square of the quaternion is off from 1 by " + number_text(off) + kGiveRotation);
@@ -84,6 +86,7 @@ Pose pose_of_quaternion(const std::array<double, 4>& q, const Point& position) {
 /// The quaternion's largest component is found from the diagonal, the others from sums and differences of the entries
 /// beside it (Shepperd 1978).
 Pose pose_of_matrix(const std::array<Point, 3>& given, const Point& position) {
+  const ComputingState state;
   const double off = off_from_rotation(given);
   if (!(off <= kMostRounding))
     throw InvalidPath("an entry of R R^T - I of the matrix is " + number_text(off) + kGiveRotation);
@@ -109,16 +112,19 @@ Pose pose_of_matrix(const std::array<Point, 3>& given, const Point& position) {
 Chain interpolated(const Pose& start, const Pose& end) { return {{start, end}}; }
 
 Chain turned(const Pose& start, const Point& turn, const Point& end_position, const Point& center) {
+  const ComputingState state;
   const Point offset = where({{0, 0, 0}, start.rotation}, center);
   const Pose about_center{{0 - offset[0], 0 - offset[1], 0 - offset[2]}, start.rotation};
   return {{{where(start, center), {0, 0, 0}}, {end_position, turn}}, {about_center, about_center}};
 }
 
 Chain between(const Pose& start, const Pose& end, const Point& center) {
+  const ComputingState state;
   return turned(start, shorter_turn(start, end), where(end, center), center);
 }
 
 Pose pose_at(const Chain& chain, double time) {
+  const ComputingState state;
   if (!(0 <= time && time <= 1)) throw InvalidPath("time is " + number_text(time) + ": give a number in [0,1]");
   for (const Link& link : chain) require_finite(link.start, link.end);
   if (chain.empty()) return {};
@@ -133,6 +139,7 @@ Pose pose_at(const Chain& chain, double time) {
 /// h' = sin H / |q|^2, so that |h''| <= M = 4 sin H sin^2(H/2) / cos^4(H/2). h - t H is zero at 0, 1/2 and 1, so at
 /// most M / 32; the turn differs by twice that. The factor 1 + 2^-20 is far above all rounding.
 double nlerp_deviation(const Pose& start, const Pose& end) {
+  const ComputingState state;
   require_finite(start, end);
   const Point turn = shorter_turn(start, end);
   const double half = 0.5 * std::hypot(turn[0], turn[1], turn[2]);

@@ -5,6 +5,7 @@
 #include "curves/chain_motion.hpp"
 #include "curves/fine_point.hpp"
 #include "curves/rigid_transform.hpp"
+#include "numerics/floating_point_state.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 
@@ -59,8 +60,10 @@ struct RigidPath::Motion {
 
 RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<Chain> chains,
                      std::vector<Point> rest_end)
-    : motion_(std::make_shared<const Motion>(std::move(rest), std::move(body_of_vertex), std::move(chains),
-                                             std::move(rest_end))) {}
+    : motion_(computing([&] {
+        return std::make_shared<const Motion>(std::move(rest), std::move(body_of_vertex), std::move(chains),
+                                              std::move(rest_end));
+      })) {}
 
 Index RigidPath::vertex_count() const { return static_cast<Index>(motion_->rest.size()); }
 
@@ -82,6 +85,7 @@ void for_each_of_body(std::span<const Index> vertices, const std::vector<Index>&
 
 void RigidPath::points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                           std::span<double> errors) const {
+  const ComputingState state;
   RoundedTransform transform{};
   const auto begin = [&](std::size_t body) { transform = transform_at(motion_->chains[body], time); };
   for_each_of_body(vertices, motion_->body_of_vertex, begin, [&](std::size_t i, std::size_t v) {
@@ -92,6 +96,7 @@ void RigidPath::points_at(double time, std::span<const Index> vertices, std::spa
 }
 
 void RigidPath::fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const {
+  const ComputingState state;
   RigidTransform transform;
   const auto begin = [&](std::size_t body) { transform = transform_of(motion_->chains[body], time); };
   for_each_of_body(vertices, motion_->body_of_vertex, begin, [&](std::size_t i, std::size_t v) {
@@ -101,6 +106,7 @@ void RigidPath::fine_points_at(double time, std::span<const Index> vertices, std
 
 void RigidPath::deviations(double from, double to, std::span<const Index> vertices,
                            std::span<double> deviations) const {
+  const ComputingState state;
   const Interval factor = chord_factor(Interval(to) - Interval(from));
   for (std::size_t i = 0; i < vertices.size(); ++i) deviations[i] = motion_->curves[at(vertices[i])].deviation(factor);
 }

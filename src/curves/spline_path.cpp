@@ -8,6 +8,7 @@
 #include "curves/fine_point.hpp"
 #include "numerics/error_bounds.hpp"
 #include "numerics/finite.hpp"
+#include "numerics/floating_point_state.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 
@@ -71,6 +72,7 @@ Index SplinePath::vertex_count() const { return frames_.empty() ? 0 : static_cas
 
 void SplinePath::points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                            std::span<double> errors) const {
+  const ComputingState state;
   const Weights weights = weights_at(time);
   std::vector<RoundedNumber> rounded;
   double error = 0;
@@ -98,6 +100,7 @@ void SplinePath::points_at(double time, std::span<const Index> vertices, std::sp
 }
 
 void SplinePath::fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const {
+  const ComputingState state;
   const Weights weights = weights_at(time);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto v = at(vertices[i]);
@@ -110,6 +113,7 @@ void SplinePath::fine_points_at(double time, std::span<const Index> vertices, st
 
 void SplinePath::deviations(double from, double to, std::span<const Index> vertices,
                             std::span<double> deviations) const {
+  const ComputingState state;
   const Interval factor = chord_factor(Interval(to) - Interval(from));
   // x' has no jumps, so the largest |x''| of all pieces touched bounds the deviation.
   const std::size_t first = piece_at(from, acceleration_.size()).piece, last = piece_at(to, acceleration_.size()).piece;
@@ -122,6 +126,7 @@ void SplinePath::deviations(double from, double to, std::span<const Index> verti
 }
 
 BezierPath::BezierPath(std::vector<std::vector<Point>> control_points) : SplinePath(std::move(control_points), 1) {
+  const ComputingState state;
   const Frames& p = frames();
   const double degree = static_cast<double>(p.size() - 1);
   std::vector<double> acceleration;
@@ -149,6 +154,7 @@ SplinePath::Weights BezierPath::weights_at(double time) const {
 }
 
 CatmullRomPath::CatmullRomPath(std::vector<std::vector<Point>> all) : SplinePath(std::move(all), 2) {
+  const ComputingState state;
   const Frames& p = frames();
   const std::size_t last = p.size() - 1;
   const double pieces = static_cast<double>(last);

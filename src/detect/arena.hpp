@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "numerics/floating_point_state.hpp"
 #include "query/isolated.hpp"
 
 namespace tamis {
@@ -16,10 +17,11 @@ class Arena {
     if (is_own_) arena_.initialize(std::min(threads, most_threads()));
   }
 
+  /// If the arena is full, another thread runs the work.
   template <class Work>
   void run(const Work& work) {
     if (is_own_)
-      arena_.execute([&] { isolated(work); });
+      arena_.execute(as_task([&] { isolated(work); }));
     else
       isolated(work);
   }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "detect/pair_faults.hpp"
+#include "numerics/floating_point_state.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
@@ -65,6 +66,7 @@ std::array<Index, 2> features_of(const Mesh& mesh, PairKind kind, const std::arr
 }
 
 std::array<double, 4> weights_of(PairKind kind, double u, double v) {
+  const ComputingState state;
   switch (kind) {
     case PairKind::vertex_face:
       return {1, u + v - 1, -u, -v};

@@ -6,7 +6,7 @@
 namespace tamis {
 
 Detector::Detector(Mesh mesh, Options options)
-    : state_(std::make_unique<State>(std::move(mesh), std::move(options), make_tamis_engine)) {}
+    : Detector(DetectorAccess::make(std::move(mesh), std::move(options), make_tamis_engine)) {}
 Detector::Detector(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Detector::~Detector() = default;
 Detector::Detector(Detector&&) noexcept = default;
@@ -76,6 +76,7 @@ const Statistics& Detector::statistics() const {
 }
 
 Detector DetectorAccess::make(Mesh mesh, Options options, const MakeEngine& make_engine) {
+  const ComputingState computing;
   return Detector(std::make_unique<Detector::State>(std::move(mesh), std::move(options), make_engine));
 }
 

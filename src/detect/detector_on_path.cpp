@@ -3,6 +3,7 @@
 #include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
 #include "kernels/kernels.hpp"
+#include "paths/callers_path.hpp"
 #include "paths/path_search.hpp"
 #include "tamis/error.hpp"
 
@@ -14,8 +15,9 @@ void Detector::State::on_path(const CutPath& path, double keep, const QueryOptio
                               const Find& find) {
   validate_of_path(asked);
   const Query whole = asked_query({}, asked, question);
+  const CallersPath callers(path.path);
   measure([&] {
-    const MeshOnPath on_path{path.path, whole, asked.tolerance.value_or(PairOptions().tolerance), path.ends, keep};
+    const MeshOnPath on_path{callers, whole, asked.tolerance.value_or(PairOptions().tolerance), path.ends, keep};
     PathSearch search(mesh, on_path, *engine_, kernels(options.isa), statistics);
     find(search);
   });

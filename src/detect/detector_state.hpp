@@ -8,6 +8,7 @@
 #include "detect/arena.hpp"
 #include "detect/contact_order.hpp"
 #include "detect/detector_access.hpp"
+#include "numerics/floating_point_state.hpp"
 #include "query/engine.hpp"
 #include "query/stopwatch.hpp"
 #include "tamis/busy_guard.hpp"
@@ -134,6 +135,7 @@ class Detector::LockedState {
  private:
   State& state_;
   const BusyGuard guard_;
+  const ComputingState computing_;
 };
 
 }  // namespace tamis

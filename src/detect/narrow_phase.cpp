@@ -10,6 +10,7 @@
 #include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
 #include "numerics/finite.hpp"
+#include "numerics/floating_point_state.hpp"
 #include "query/cancellation.hpp"
 #include "tamis/error.hpp"
 #include "tamis/pair.hpp"
@@ -56,6 +57,7 @@ struct PairsInStep {
 /// Decides the pairs of part(first, count) for the parts of a list. Returns false if a pair is not legal.
 template <class Part>
 bool decide_in_parts(std::span<PairResult> results, const PairOptions& options, const Part& part_of) {
+  const ComputingState state;
   validate(options);
   const Kernels& chosen = kernels(options.isa);
   std::atomic<bool> is_legal{true};
@@ -67,7 +69,7 @@ bool decide_in_parts(std::span<PairResult> results, const PairOptions& options, 
       if (!decide_part_of_list({pairs, step, chosen, options}, results.subspan(part.begin(), part.size())))
         is_legal = false;
     };
-    tbb::parallel_for(all, decide_part, tbb::simple_partitioner());
+    tbb::parallel_for(all, as_task(decide_part), tbb::simple_partitioner());
   });
   return is_legal;
 }

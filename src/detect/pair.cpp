@@ -9,6 +9,8 @@
 #include "detect/validate.hpp"
 #include "narrow/decide.hpp"
 #include "numerics/finite.hpp"
+#include "numerics/floating_point_state.hpp"
+#include "paths/callers_path.hpp"
 #include "paths/decide_path.hpp"
 #include "tamis/error.hpp"
 
@@ -22,6 +24,7 @@ void check_finite(std::span<const Point> points, const char* when) {
 
 PairResult decide_points(PairKind kind, std::span<const Point> start, std::span<const Point> end,
                          const PairOptions& options) {
+  const ComputingState state;
   check_finite(start, "start");
   check_finite(end, "end");
   validate(options);
@@ -32,7 +35,9 @@ PairResult decide_points(PairKind kind, std::span<const Point> start, std::span<
   return decide({kind, points, options.min_separation}, decided_by, options.latest);
 }
 
-PairResult decide_curves(PairKind kind, const Path& path, const PairVertices& vertices, const PairOptions& options) {
+PairResult decide_curves(PairKind kind, const Path& callers, const PairVertices& vertices, const PairOptions& options) {
+  const ComputingState state;
+  const CallersPath path(callers);
   validate(options);
   for (const Index v : std::span(vertices).first(vertex_count(kind)))
     if (v < 0 || v >= path.vertex_count())

@@ -8,6 +8,7 @@
 #include "narrow/decide.hpp"
 #include "narrow/kept_distance.hpp"
 #include "narrow/near_pair.hpp"
+#include "numerics/floating_point_state.hpp"
 #include "query/step_limit.hpp"
 #include "tamis/error.hpp"
 
@@ -41,6 +42,7 @@ End end_by_distance(const Pair& pair, const PairPoints& points, double keep, con
 }  // namespace
 
 NearPair distance_of(const Pair& pair, const Positions& positions) {
+  const ComputingState state;
   const Step rest{positions, positions};
   validate(pair, rest);
   const PairVertices vertices = vertices_in_use(pair.kind, pair.vertices);
@@ -48,6 +50,7 @@ NearPair distance_of(const Pair& pair, const Positions& positions) {
 }
 
 SafeStep safe_step(const Pair& pair, const Step& step, double keep, const PairOptions& options) {
+  const ComputingState state;
   validate(pair, step);
   tamis::validate(options);
   validate_kept(keep);

@@ -7,6 +7,7 @@
 #include "numerics/assert.hpp"
 #include "numerics/in_parts.hpp"
 #include "numerics/length.hpp"
+#include "query/cancellation.hpp"
 #include "query/pair_vertices.hpp"
 #include "topology/at.hpp"
 #include "topology/mean_edge.hpp"
@@ -26,16 +27,26 @@ constexpr int kRounds = 32;
 constexpr int kRoundsOnOwnSides = 8;
 /// A pair that starts within its separation must keep this part of its distance.
 constexpr double kAllButAMillionth = 1 - 0x1p-20;
-/// The parts of loops that threads share; a pair takes a microsecond or two.
+/// The parts of loops that threads share. A pair takes a microsecond or two, some take fifty.
 constexpr std::size_t kPairsPerPart = 64;
+
+/// Calls f(i) for i from 0 to `count`, by several threads. Throws Cancelled.
+template <class F>
+void for_each_pair(std::size_t count, const Query& query, const F& f) {
+  in_parts(count, kPairsPerPart, [&](std::size_t begin, std::size_t end) {
+    for (; begin != end; ++begin) {
+      if (begin % kPairsPerPart == 0) stop_if_cancelled(query);
+      f(begin);
+    }
+  });
+}
 
 /// times_of(pair) of each pair, called by several threads.
 template <class Pair, class TimesOf>
-std::vector<std::array<double, 4>> planar_times_of(const std::vector<Pair>& pairs, const TimesOf& times_of) {
+std::vector<std::array<double, 4>> planar_times_of(const std::vector<Pair>& pairs, const Query& query,
+                                                   const TimesOf& times_of) {
   std::vector<std::array<double, 4>> times(pairs.size());
-  in_parts(pairs.size(), kPairsPerPart, [&](std::size_t begin, std::size_t end) {
-    for (; begin != end; ++begin) times[begin] = times_of(pairs[begin]);
-  });
+  for_each_pair(pairs.size(), query, [&](std::size_t i) { times[i] = times_of(pairs[i]); });
   return times;
 }
 
@@ -124,13 +135,15 @@ void Truncation::begin_on_own_sides() {
   const Query near_start{
       {step_.start, step_.start}, {query_.separations.fixed, radii}, query_.filter, query_.rings, query_.is_cancelled};
   engine_.find_near(near_start, near, statistics_);
-  const auto times = planar_times_of(near, [&](const NearPair& pair) {
+  const auto times = planar_times_of(near, query_, [&](const NearPair& pair) {
     const double separation = separation_of(pair);
     if (query_.ignores_start && pair.distance <= separation) return std::array{1.0, 1.0, 1.0, 1.0};
     return planar_times(pair, points_of(step_, pair.vertices), {fractions_, separation, stored_}, 0);
   });
-  for (std::size_t pair = 0; pair < near.size(); ++pair)
+  for (std::size_t pair = 0; pair < near.size(); ++pair) {
+    if (pair % kPairsPerPart == 0) stop_if_cancelled(query_);
     for (std::size_t i = 0; i < vertex_count(near[pair].kind); ++i) stop(near[pair].vertices[i], times[pair][i]);
+  }
 }
 
 /// A coordinate that is the same at both ends of the step is not rounded.
@@ -160,9 +173,8 @@ std::vector<StepLimit> Truncation::broken_pairs() {
   engine_.find_step_ends(to_result, fractions_.keep, pairs, statistics_);
   changed_.assign(result_.fractions.size(), 0);
   std::atomic<bool> some_start_within = false;
-  in_parts(pairs.size(), kPairsPerPart, [&](std::size_t begin, std::size_t end) {
-    for (; begin != end; ++begin)
-      if (!is_broken(pairs[begin], some_start_within)) pairs[begin].time = 1;
+  for_each_pair(pairs.size(), query_, [&](std::size_t i) {
+    if (!is_broken(pairs[i], some_start_within)) pairs[i].time = 1;
   });
   if (some_start_within) result_.is_free = false;
   std::erase_if(pairs, [](const StepLimit& pair) { return pair.time == 1; });
@@ -170,13 +182,14 @@ std::vector<StepLimit> Truncation::broken_pairs() {
 }
 
 void Truncation::stop_at_planes(const std::vector<StepLimit>& broken) {
-  const auto times = planar_times_of(broken, [&](const StepLimit& pair) {
+  const auto times = planar_times_of(broken, query_, [&](const StepLimit& pair) {
     const PairPoints points = points_of(step_, pair.vertices);
     const NearPair there = near_pair(pair.kind, pair.vertices, at_rest_at(points, common_time_));
     return planar_times(there, points, {fractions_, separation_of(pair), stored_}, common_time_);
   });
   const std::vector<double> asked = result_.fractions;
   for (std::size_t pair = 0; pair < broken.size(); ++pair) {
+    if (pair % kPairsPerPart == 0) stop_if_cancelled(query_);
     const auto& v = broken[pair].vertices;
     const std::size_t count = vertex_count(broken[pair].kind);
     bool is_stopped = false;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "numerics/assert.hpp"
+#include "numerics/floating_point_state.hpp"
 #include "numerics/held_bytes.hpp"
 
 namespace tamis {
@@ -27,7 +28,7 @@ class CountingSort {
     const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
     const std::size_t parts = std::clamp(count / buckets, std::size_t{1}, threads);
     const auto for_each_item = [&](const auto& f) {
-      tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
+      const auto place_part = [&](std::size_t part) {
         std::uint32_t* const counters = places_.data() + part * buckets;
         const std::size_t end = count * (part + 1) / parts;
         for (std::size_t i = count * part / parts; i < end;) {
@@ -38,7 +39,8 @@ class CountingSort {
             f(i, counters[bucket]);
           }
         }
-      });
+      };
+      tbb::parallel_for(std::size_t{0}, parts, as_task(place_part));
     };
     places_.assign(parts * buckets, 0);
     for_each_item([](std::size_t, std::uint32_t& counted) { ++counted; });

@@ -10,6 +10,7 @@
 #pragma once
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
+#include "numerics/plain_arithmetic.hpp"
 #include "numerics/select.hpp"
 #include "numerics/vec.hpp"
 

@@ -5,6 +5,7 @@
 // A pair is three moving vectors e, f, d with sizes E, F, D = the largest |component| at t=0 and t=1, scaled by a
 // power of two so that the largest size is below 1 (motion/pair_motion.hpp).
 #pragma once
+#include "numerics/plain_arithmetic.hpp"
 #include "numerics/select.hpp"
 
 namespace tamis::error_bounds {

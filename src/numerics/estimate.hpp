@@ -6,6 +6,7 @@
 
 #include "numerics/assert.hpp"
 #include "numerics/double_double.hpp"
+#include "numerics/plain_arithmetic.hpp"
 #include "numerics/wide_double.hpp"
 
 namespace tamis {

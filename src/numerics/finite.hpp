@@ -1,5 +1,6 @@
 // Tests whether a point is finite.
 #pragma once
+#include "numerics/plain_arithmetic.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis {

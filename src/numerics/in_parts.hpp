@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <span>
 
+#include "numerics/floating_point_state.hpp"
+
 namespace tamis {
 
 /// Vertices in a part of a loop that does little with each of them: a part takes ten to twenty microseconds.
@@ -24,7 +26,7 @@ template <class Count, class F>
 void in_parts(Count count, Count grain, const F& f) {
   if (count > grain && has_other_threads())
     return tbb::parallel_for(tbb::blocked_range<Count>(0, count, static_cast<std::size_t>(grain)),
-                             [&](const tbb::blocked_range<Count>& part) { f(part.begin(), part.end()); });
+                             as_task([&](const tbb::blocked_range<Count>& part) { f(part.begin(), part.end()); }));
   const Count larger = 16 * grain;
   for (Count begin = 0; begin < count; begin += std::min(larger, count - begin))
     f(begin, begin + std::min(larger, count - begin));
@@ -44,9 +46,10 @@ template <class Value, class Join, class F>
 Value joined_parts(std::size_t count, std::size_t grain, const Value& nothing, const Join& join, const F& f) {
   if (count > grain && has_other_threads()) {
     using Range = tbb::blocked_range<std::size_t>;
-    return tbb::parallel_reduce(
-        Range(0, count, grain), nothing,
-        [&](const Range& part, const Value& before) { return join(before, f(part.begin(), part.end())); }, join);
+    return tbb::parallel_reduce(Range(0, count, grain), nothing, as_task([&](const Range& part, const Value& before) {
+                                  return join(before, f(part.begin(), part.end()));
+                                }),
+                                as_task(join));
   }
   Value value = nothing;
   in_parts(count, grain, [&](std::size_t begin, std::size_t end) { value = join(value, f(begin, end)); });
@@ -70,14 +73,28 @@ bool all_in_parts(std::span<const Item> items, std::size_t grain, const F& is_so
   return are_so;
 }
 
-/// Sorts by a total order: only equal items are neither before nor after each other. Without other threads, std::sort
-/// is faster than oneTBB's sort.
-template <class Items, class Order>
-void sort_in_parts(Items& items, const Order& comes_before) {
+/// An order for a sort that calls pause() now and then, from the threads that sort; an exception that it throws leaves
+/// the items in no order. Keeps references.
+template <class Order, class Pause>
+auto pausing(const Order& comes_before, const Pause& pause) {
+  return [&comes_before, pause_in_task = as_task(pause)](const auto& a, const auto& b) {
+    constexpr unsigned kComparisonsPerPause = 1U << 14;  // below a millisecond
+    static thread_local unsigned compared = 0;
+    if (++compared % kComparisonsPerPause == 0) pause_in_task();
+    return comes_before(a, b);
+  };
+}
+
+/// Sorts by a total order: only equal items are neither before nor after each other. REQUIRES (not checked: O(n)): an
+/// order of integers, for which the state of floating-point numbers does not matter. `pause`: as in pausing(). Without
+/// other threads, std::sort is faster than oneTBB's sort.
+template <class Items, class Order, class Pause>
+void sort_in_parts(Items& items, const Order& comes_before, const Pause& pause) {
+  const auto order = pausing(comes_before, pause);
   if (has_other_threads())
-    tbb::parallel_sort(items, comes_before);
+    tbb::parallel_sort(items, order);
   else
-    std::sort(items.begin(), items.end(), comes_before);
+    std::sort(items.begin(), items.end(), order);
 }
 
 }  // namespace tamis

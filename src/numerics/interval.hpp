@@ -7,6 +7,7 @@
 
 #include "numerics/assert.hpp"
 #include "numerics/double_double.hpp"
+#include "numerics/plain_arithmetic.hpp"
 #include "numerics/scale.hpp"
 #include "numerics/select.hpp"
 #include "numerics/vec.hpp"

@@ -6,6 +6,7 @@
 #include <xsimd/xsimd.hpp>
 
 #include "numerics/error_bounds.hpp"
+#include "numerics/plain_arithmetic.hpp"
 #include "numerics/select.hpp"
 
 #ifndef TAMIS_ISA

@@ -1,5 +1,6 @@
 // Vectors over any number type: double, SIMD lanes, double-double, interval, integers.
 #pragma once
+#include "numerics/plain_arithmetic.hpp"
 
 namespace tamis {
 

@@ -39,6 +39,7 @@ void PairsOnParts::begin(const Piece& piece) {
 PairsOnParts::Part PairsOnParts::part_of(const std::vector<Index>& vertices, const MeshMoment& from,
                                          const MeshMoment& to, std::vector<std::int32_t> pairs, int halvings) {
   constexpr Index kUnused = -1, kUsed = 0;
+  stop_if_cancelled(*piece_);
   for (const Index v : vertices) place_[at(v)] = kUnused;
   for (const std::int32_t pair : pairs)
     for (const Index v : piece_->pairs[at(pair)].vertices)
@@ -106,9 +107,11 @@ void PairsOnParts::add_half(const Part& whole, const MeshMoment& from, const Mes
     });
     constexpr std::size_t kPairsPerPart = 256;
     in_parts(of_kind.size(), kPairsPerPart, [&](std::size_t first, std::size_t last) {
-      for (; first < last; first += PairBuffer::kCapacity)
+      for (; first < last; first += PairBuffer::kCapacity) {
+        stop_if_cancelled(*piece_);
         test(static_cast<PairKind>(kind),
              std::span(of_kind).subspan(first, std::min<std::size_t>(last - first, PairBuffer::kCapacity)));
+      }
     });
   }
   std::vector<std::int32_t> left;

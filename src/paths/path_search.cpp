@@ -9,6 +9,8 @@
 
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
+#include "numerics/floating_point_state.hpp"
+#include "numerics/in_parts.hpp"
 #include "paths/cached_path.hpp"
 #include "paths/decide_path.hpp"
 #include "query/cancellation.hpp"
@@ -111,14 +113,20 @@ void PathSearch::search_chords(const MeshMoment& from, const MeshMoment& to) {
   engine_.find(chords, candidates_, statistics_);
   statistics_.decided_by += candidates_.decided_by();
   pieces_.adapt_length(candidates_.contacts().size());
-  std::erase_if(candidates_.contacts(), [&](const Contact& pair) { return reported_.contains(key_of(pair)); });
+  std::size_t looked_at = 0;
+  std::erase_if(candidates_.contacts(), [&](const Contact& pair) {
+    if (++looked_at % kBatch == 0) stop_if_cancelled(query_);
+    return reported_.contains(key_of(pair));
+  });
 }
 
 void PathSearch::decide_all(const MeshMoment& from, const MeshMoment& to) {
   std::vector<Contact>& pairs = candidates_.contacts();
-  std::ranges::sort(pairs, [](const Contact& a, const Contact& b) {
+  const auto is_earlier = [](const Contact& a, const Contact& b) {
     return a.toi_lower != b.toi_lower ? a.toi_lower < b.toi_lower : comes_before(a, b);
-  });
+  };
+  const auto pause = [&] { stop_if_cancelled(query_); };
+  std::sort(pairs.begin(), pairs.end(), pausing(is_earlier, pause));
   parts_.begin({asked_.path, searched_, pairs, from, to, query_.is_cancelled});
   const TimeInterval<double> piece{from.time, to.time};
   const double start = piece.t_in, length = piece.t_out - start;
@@ -146,7 +154,8 @@ double PathSearch::decide(const TimeInterval<double>& piece, std::span<const std
   const std::vector<Index> used = vertices_of(pairs, places);
   std::vector<Decided> decided(places.size());
   tbb::enumerable_thread_specific<CachedPath> paths([&] { return CachedPath(asked_.path, used); });
-  tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
+  const auto decide_one = [&](std::size_t i) {
+    stop_if_cancelled(query_);
     const Contact& pair = pairs[at(places[i])];
     const PairRule rule = rule_of(asked_, paths.local(), pair);
     const PathQuestion of_pair{paths.local(),   pair.kind,        pair.vertices,
@@ -159,7 +168,8 @@ double PathSearch::decide(const TimeInterval<double>& piece, std::span<const std
       decided[i].in_contact_until = recontact ? piece.t_in : piece.t_out;
     }
     decided[i].result = result_on_path(of_pair, decision);
-  });
+  };
+  tbb::parallel_for(std::size_t{0}, places.size(), as_task(decide_one));
   double touched_by = piece.t_out;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto& [r, until] = decided[i];

@@ -4,12 +4,23 @@
 #pragma once
 #include <tbb/task_arena.h>
 
+#include "numerics/floating_point_state.hpp"
+
 namespace tamis {
 
 /// Runs f(); threads that wait within it take only tasks that were started within it.
 template <class F>
 auto isolated(const F& f) {
   return tbb::this_task_arena::isolate(f);
+}
+
+/// Runs one of the caller's functions, in the caller's floating-point state.
+template <class F>
+auto of_caller(const F& f) {
+  return isolated([&] {
+    const CallersState state;
+    return f();
+  });
 }
 
 }  // namespace tamis

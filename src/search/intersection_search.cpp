@@ -77,7 +77,7 @@ void IntersectionSearch::find(const Query& query, std::vector<Intersection>& fou
   using Counts = SearchCounts;
   streams_.report(statistics, watch.seconds(),
                   {&Counts::boxes, &Counts::slab, &Counts::dnf, &Counts::ncf, &Counts::solve});
-  sort_in_parts(found, comes_first);
+  sort_in_parts(found, comes_first, [&] { stop_if_cancelled(query); });
 }
 
 }  // namespace tamis

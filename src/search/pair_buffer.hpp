@@ -77,7 +77,7 @@ inline void leave_out_groups(const PairFilter& filter, PairKind kind, PairBuffer
 inline void leave_out(const PairFilter& filter, PairKind kind, PairBuffer& pairs) {
   leave_out_groups(filter, kind, pairs);
   if (!filter.accepts) return;
-  isolated([&] { keep_wanted(pairs, [&](int i) { return filter.accepts(kind, vertices_of(kind, pairs, i)); }); });
+  of_caller([&] { keep_wanted(pairs, [&](int i) { return filter.accepts(kind, vertices_of(kind, pairs, i)); }); });
 }
 
 }  // namespace tamis

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "query/cancellation.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {
@@ -64,7 +65,7 @@ void StepLengthSearch::find_all(const Query& query, double fraction, std::vector
   ends.clear();
   streams_.for_each(
       [&](StepLengthConsumer& consumer) { ends.insert(ends.end(), consumer.ends().begin(), consumer.ends().end()); });
-  sort_in_parts(ends, comes_before_in_order);
+  sort_in_parts(ends, comes_before_in_order, [&] { stop_if_cancelled(query); });
 }
 
 void StepLengthSearch::ask(StepLengthQuery& asked, Statistics& statistics) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "numerics/axes.hpp"
 #include "numerics/error_bounds.hpp"
@@ -56,19 +57,9 @@ double Body::max_deviation_from(const BodyMotion& other) const {
   return farthest;
 }
 
-Body::Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion) : id_(id), shape_(std::move(shape)) {
-  move(std::move(motion));
-}
-
-Body::Body(const Body& other) : Body(other.id_, other.shape_, other.motion_) {
-  set_radius(other.radius_);
-  is_enabled = other.is_enabled;
-  may_touch_itself = other.may_touch_itself;
-}
-
-void Body::move(BodyMotion motion) {
-  validate(motion);
-  motion_ = std::move(motion);
+Body::Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion)
+    : id_(id), shape_(std::move(shape)), motion_(std::move(motion)) {
+  validate(motion_);
   if (const Deforming* soft = deforming()) {
     const auto boxes_at = [&](const std::vector<Point>& points) {
       const auto at_point = [&](Index v) -> const Point& { return points[at(v)]; };
@@ -76,11 +67,8 @@ void Body::move(BodyMotion motion) {
     };
     start_boxes_ = boxes_at(soft->start);
     end_boxes_ = boxes_at(soft->end);
-    curvature_ = {0, 0};
     motion_kind_ = MotionKind::straight;
   } else {
-    start_boxes_ = end_boxes_ = {};
-    self_detector_.reset();
     const Chain chain = chain_of(motion_);
     const ChainBounds bounds(chain);
     curvature_ = bounds.of(shape_->radius, 0);
@@ -93,6 +81,26 @@ void Body::move(BodyMotion motion) {
   const Index root = shape_->tree.root();
   start_hull_ = BodyOnPiece(*this, 0, 0).bounds(root).hull();
   hull_ = motion_kind_ == MotionKind::still ? start_hull_ : BodyOnPiece(*this, 0, 1).bounds(root).hull();
+}
+
+Body::Body(const Body& other) : Body(other.id_, other.shape_, other.motion_) {
+  set_radius(other.radius_);
+  is_enabled = other.is_enabled;
+  may_touch_itself = other.may_touch_itself;
+}
+
+Body Body::moved(BodyMotion motion) const {
+  Body moved(id_, shape_, std::move(motion));
+  moved.radius_ = radius_;
+  moved.is_enabled = is_enabled;
+  moved.may_touch_itself = may_touch_itself;
+  return moved;
+}
+
+void Body::become(Body moved) noexcept {
+  static_assert(std::is_nothrow_move_assignable_v<BodyMotion> && std::is_nothrow_move_assignable_v<Detector>);
+  if (deforming() && moved.deforming()) moved.self_detector_ = std::move(self_detector_);
+  *this = std::move(moved);
 }
 
 void Body::set_radius(double radius) {

@@ -32,7 +32,14 @@ class Body {
   Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion);
   /// A copy without the detector.
   Body(const Body& other);
-  void move(BodyMotion motion);
+  Body(Body&&) noexcept = default;
+  Body& operator=(Body&&) noexcept = default;
+  /// The body with another motion, of the same kind or another, and without the detector. Throws InvalidStep, naming
+  /// the body.
+  Body moved(BodyMotion motion) const;
+  /// Becomes what moved() has returned; a body that deforms before and after keeps its detector. It cannot fail, so
+  /// that a change of bodies happens as a whole or not at all.
+  void become(Body moved) noexcept;
   /// Throws InvalidStep, naming the body.
   void validate(const BodyMotion& motion) const;
 

@@ -8,6 +8,7 @@
 #include "numerics/error_bounds.hpp"
 #include "numerics/held_bytes.hpp"
 #include "paths/mesh_pieces.hpp"
+#include "query/cancellation.hpp"
 #include "topology/at.hpp"
 #include "world/world_state.hpp"
 
@@ -113,9 +114,11 @@ void World::State::gather_anew(Gathering& gathering, NearDistance distance, cons
     if (in_edges <= kLeastMarginInEdges || items.count() <= kMostItemsPerNeeded * needed.count()) break;
     in_edges = std::max(in_edges / 2, kLeastMarginInEdges);
   }
+  stop_if_cancelled(options);
   std::map<BodyId, BodyMotion> motions;
   if (distance.displacement_factor == 0) motions = straight_motions(bodies, pairs);
   gathering.gathered = std::make_unique<Gathered>(bodies, std::move(items), gathering.least, excluded_pairs, options);
+  stop_if_cancelled(options);
   // Nothing throws from here on; an exception before leaves the gathering as it was.
   gathering.motions = std::move(motions);
   gathering.distance = distance;

@@ -35,11 +35,7 @@ World::State::State(const State& other)
 }
 
 void World::State::validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions) {
-  std::vector<BodyId> ordered(moved.begin(), moved.end());
-  std::ranges::sort(ordered);
-  const auto twice = std::ranges::adjacent_find(ordered);
-  if (twice != ordered.end())
-    throw InvalidOptions("body " + std::to_string(*twice) + " is named twice: give each once");
+  refuse_twice(moved);
   for (const BodyId id : moved) body(id);
   if (moved.empty() ? !motions.empty() : motions.size() % moved.size() != 0)
     throw InvalidOptions(std::to_string(motions.size()) + " motions for " + std::to_string(moved.size()) +
@@ -50,19 +46,20 @@ void World::State::validate(std::span<const BodyId> moved, std::span<const BodyM
 
 std::vector<EarliestBodyContact> World::earliest_many(std::span<const BodyId> moved,
                                                       std::span<const BodyMotion> motions, const QueryOptions& asked) {
-  State& now = state();
-  const State::Turn turn(now);
+  const State::QuestionTurn turn(*this);
+  State& now = *turn;
   validate_of_path(asked);
   now.validate(moved, motions);
   const QueryOptions of_each = of_curves(asked);
   std::vector<EarliestBodyContact> found(motions.empty() ? 0 : motions.size() / moved.size());
   tbb::enumerable_thread_specific<std::unique_ptr<State>> worlds([&] { return std::make_unique<State>(now); });
   Arena(now.options.threads).run([&] {
-    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+    const auto ask = [&](std::size_t i) {
       State& mine = *worlds.local();
       for (std::size_t k = 0; k < moved.size(); ++k) mine.move(moved[k], motions[i * moved.size() + k]);
       found[i] = mine.earliest(of_each);
-    });
+    };
+    tbb::parallel_for(std::size_t{0}, found.size(), as_task(ask));
     now.statistics.threads = Arena::threads_here();
   });
   for (const auto& world : worlds) now.add_statistics(world->statistics);

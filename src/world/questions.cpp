@@ -78,7 +78,7 @@ void World::State::for_each_at_rest(double distance, const Ask& ask) {
 }
 
 std::vector<BodyContact> World::contacts(const QueryOptions& asked) {
-  const State::Turn now(state());
+  const State::QuestionTurn now(*this);
   std::vector<BodyContact> all;
   now->for_each_moving(asked, 0, [&](auto& state, auto& motion, auto& how, auto& whose) {
     add_named(all, state->find_contacts(motion, how), whose);
@@ -89,7 +89,7 @@ std::vector<BodyContact> World::contacts(const QueryOptions& asked) {
   return all;
 }
 
-EarliestBodyContact World::earliest(const QueryOptions& asked) { return State::Turn(state())->earliest(asked); }
+EarliestBodyContact World::earliest(const QueryOptions& asked) { return State::QuestionTurn(*this)->earliest(asked); }
 
 EarliestBodyContact World::State::earliest(const QueryOptions& asked) {
   EarliestBodyContact first;
@@ -105,7 +105,7 @@ EarliestBodyContact World::State::earliest(const QueryOptions& asked) {
 
 bool World::is_free(const QueryOptions& asked) {
   if (asked.at_start == AtStart::fail) return !earliest(asked).contact;
-  const State::Turn now(state());
+  const State::QuestionTurn now(*this);
   bool is_free = true;
   now->for_each_moving(
       asked, 0, [&](auto& state, auto& motion, auto& how, auto&) { return is_free = state->is_free(motion, how); });
@@ -115,7 +115,7 @@ bool World::is_free(const QueryOptions& asked) {
 /// A pair of clearance c that keeps no more than f c has lost (1 - f) c, at most the displacements w of both bodies:
 /// then it has come within f w / (1 - f) of its separation.
 BodyStep World::safe_step(double fraction, const QueryOptions& asked) {
-  const State::Turn now(state());
+  const State::QuestionTurn now(*this);
   validate_kept(fraction);
   BodyStep first;
   now->for_each_moving(asked, fraction / (1 - fraction), [&](auto& state, auto& motion, auto& how, auto& whose) {
@@ -129,7 +129,7 @@ BodyStep World::safe_step(double fraction, const QueryOptions& asked) {
 }
 
 std::vector<BodyNearPair> World::pairs_within(double distance) {
-  const State::Turn now(state());
+  const State::QuestionTurn now(*this);
   validate_distance(distance, "the distance");
   std::vector<BodyNearPair> all;
   now->for_each_at_rest(distance, [&](auto& state, auto& pose, auto& whose) {
@@ -141,7 +141,7 @@ std::vector<BodyNearPair> World::pairs_within(double distance) {
 }
 
 std::vector<BodyIntersection> World::intersections() {
-  const State::Turn now(state());
+  const State::QuestionTurn now(*this);
   std::vector<BodyIntersection> all;
   now->for_each_at_rest(0, [&](auto& state, auto& pose, auto& whose) {
     add_named(all, state->find_intersections(pose, Question::all_contacts), whose);
@@ -152,7 +152,7 @@ std::vector<BodyIntersection> World::intersections() {
 }
 
 bool World::has_intersection() {
-  const State::Turn now(state());
+  const State::QuestionTurn now(*this);
   bool has_one = false;
   now->for_each_at_rest(0, [&](auto& state, auto& pose, auto&) {
     has_one = !state->find_intersections(pose, Question::is_free).empty();

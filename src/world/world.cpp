@@ -1,9 +1,9 @@
 #include "tamis/world.hpp"
 
-#include <limits>
 #include <string>
 
 #include "detect/validate.hpp"
+#include "numerics/floating_point_state.hpp"
 #include "numerics/number_text.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
@@ -12,13 +12,13 @@
 namespace tamis {
 
 Shape::Shape(Mesh mesh, std::vector<Point> points, Isa isa)
-    : shape_(std::make_shared<const BodyShape>(std::move(mesh), std::move(points), isa)) {}
+    : shape_(computing([&] { return std::make_shared<const BodyShape>(std::move(mesh), std::move(points), isa); })) {}
 
 const Mesh& Shape::mesh() const { return shape_->mesh; }
 const std::vector<Point>& Shape::points() const { return shape_->points; }
 std::uint64_t Shape::memory_bytes() const { return shape_->memory_bytes(); }
 
-World::World(Options options) : state_(std::make_unique<State>(std::move(options))) {}
+World::World(Options options) : state_(computing([&] { return std::make_unique<State>(std::move(options)); })) {}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
@@ -29,84 +29,67 @@ World::State& World::state() const {
 }
 
 BodyId World::add(const Shape& shape, BodyMotion motion) {
-  State& now = state();
-  const BusyGuard guard(now.is_asked);
-  if (now.bodies.size() >= at(std::numeric_limits<BodyId>::max()))
-    throw InvalidOptions("the world has had 2^31 - 1 bodies, and numbers are not given twice: make another world");
-  const auto id = static_cast<BodyId>(now.bodies.size());
-  now.bodies.push_back(std::make_unique<Body>(id, shape.shape_, std::move(motion)));
-  now.forget_if_still(*now.bodies.back());
-  return id;
+  std::vector<BodyMotion> one;
+  one.push_back(std::move(motion));
+  return add_many(shape, std::move(one)).front();
 }
 
-void World::move(BodyId body, BodyMotion motion) {
-  State& now = state();
-  const BusyGuard guard(now.is_asked);
-  now.move(body, std::move(motion));
+std::vector<BodyId> World::add_many(const Shape& shape, std::vector<BodyMotion> motions) {
+  return State::Turn(*this)->add(shape.shape_, std::move(motions));
+}
+
+void World::move(BodyId body, BodyMotion motion) { State::Turn(*this)->move(body, std::move(motion)); }
+
+void World::move_many(std::span<const BodyId> bodies, std::vector<BodyMotion> motions) {
+  State::Turn(*this)->move(bodies, std::move(motions));
 }
 
 const BodyMotion& World::motion(BodyId body) const {
-  State& now = state();
-  const BusyGuard guard(now.is_asked);
-  return now.body(body).motion();
+  const State::Turn now(*this);
+  return now->body(body).motion();
 }
 
 BodyPoints World::points_at(BodyId body, double time) const {
-  State& now = state();
-  const BusyGuard guard(now.is_asked);
-  const Body& asked = now.body(body);
+  const State::Turn now(*this);
+  const Body& asked = now->body(body);
   if (!(time >= 0 && time <= 1)) throw InvalidOptions("the time is " + number_text(time) + ": give a number in [0, 1]");
   return asked.points_at(time);
 }
 
 void World::remove(BodyId body) {
-  State& now = state();
-  const BusyGuard guard(now.is_asked);
-  now.forget_gathered(now.body(body));
-  now.bodies[at(body)] = nullptr;
-  std::erase_if(now.excluded_pairs, [&](const BodyPair& pair) { return pair[0] == body || pair[1] == body; });
+  const State::Turn now(*this);
+  now->forget_gathered(now->body(body));
+  now->bodies[at(body)] = nullptr;
+  std::erase_if(now->excluded_pairs, [&](const BodyPair& pair) { return pair[0] == body || pair[1] == body; });
 }
 
 void World::set_enabled(BodyId body, bool is_enabled) {
-  State& now = state();
-  const BusyGuard guard(now.is_asked);
-  Body& switched = now.body(body);
+  const State::Turn now(*this);
+  Body& switched = now->body(body);
   if (switched.is_enabled == is_enabled) return;
   switched.is_enabled = is_enabled;
   if (is_enabled)
-    now.forget_if_still(switched);
+    now->forget_if_still(switched);
   else
-    now.forget_gathered(switched);
+    now->forget_gathered(switched);
 }
 
 void World::set_radius(BodyId body, double radius) {
-  State& now = state();
-  const BusyGuard guard(now.is_asked);
-  Body& thick = now.body(body);
+  const State::Turn now(*this);
+  Body& thick = now->body(body);
   validate_distance(radius, "the radius of body " + std::to_string(body));
   if (thick.radius() == radius) return;
   thick.set_radius(radius);
-  now.forget_gathered(thick);
+  now->forget_gathered(thick);
 }
 
 void World::set_may_touch(BodyId a, BodyId b, bool may_touch) {
-  State& now = state();
-  const BusyGuard guard(now.is_asked);
-  Body& first = now.body(a);
-  const Body& second = now.body(b);
-  if (a == b) {
-    if (may_touch && !first.deforming())
-      throw InvalidOptions("body " + std::to_string(a) + " does not deform, so it cannot touch itself: leave that out");
-    first.may_touch_itself = may_touch;
-    return;
-  }
-  if (may_touch && first.motion_kind() == MotionKind::still && second.motion_kind() == MotionKind::still)
-    throw InvalidOptions(
-        "bodies " + std::to_string(a) + " and " + std::to_string(b) +
-        " both stay where they are, and two such bodies are never asked about: tell one of them a motion");
-  const BodyPair pair{std::min(a, b), std::max(a, b)};
-  const bool is_changed = may_touch ? now.excluded_pairs.erase(pair) > 0 : now.excluded_pairs.insert(pair).second;
-  if (is_changed) now.forget_gathered(first);
+  const BodyPair pair[]{{a, b}};
+  set_may_touch(pair, may_touch);
+}
+
+void World::set_may_touch(std::span<const std::array<BodyId, 2>> pairs, bool may_touch) {
+  State::Turn(*this)->set_may_touch(pairs, may_touch);
 }
 
 const Statistics& World::statistics() const {

@@ -1,6 +1,7 @@
 #include "world/world_state.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
@@ -38,15 +39,81 @@ Body& World::State::body(BodyId id) {
   return *bodies[at(id)];
 }
 
-void World::State::move(BodyId id, BodyMotion motion) {
-  Body& moved = body(id);
-  forget_if_still(moved);
-  moved.move(std::move(motion));
-  forget_if_still(moved);
+void World::State::move(BodyId id, BodyMotion motion) { become(body(id), body(id).moved(std::move(motion))); }
+
+void World::State::become(Body& body, Body moved) noexcept {
+  forget_if_still(body);
+  body.become(std::move(moved));
+  forget_if_still(body);
+}
+
+std::vector<BodyId> World::State::add(const std::shared_ptr<const BodyShape>& shape, std::vector<BodyMotion> motions) {
+  if (motions.size() > at(std::numeric_limits<BodyId>::max()) - bodies.size())
+    throw InvalidOptions("the world has had 2^31 - 1 bodies, and numbers are not given twice: make another world");
+  std::vector<BodyId> ids;
+  BodyList added;
+  for (BodyMotion& motion : motions) {
+    ids.push_back(static_cast<BodyId>(bodies.size() + added.size()));
+    added.push_back(std::make_unique<Body>(ids.back(), shape, std::move(motion)));
+  }
+  if (bodies.capacity() < bodies.size() + added.size())
+    bodies.reserve(std::max(2 * bodies.size(), bodies.size() + added.size()));
+  for (std::unique_ptr<Body>& body : added) forget_if_still(*bodies.emplace_back(std::move(body)));
+  return ids;
+}
+
+void World::State::move(std::span<const BodyId> ids, std::vector<BodyMotion> motions) {
+  if (ids.size() != motions.size())
+    throw InvalidOptions("there are " + std::to_string(ids.size()) + " bodies and " + std::to_string(motions.size()) +
+                         " motions: give one for each body");
+  refuse_twice(ids);
+  std::vector<Body> moved;
+  for (std::size_t i = 0; i < ids.size(); ++i) moved.push_back(body(ids[i]).moved(std::move(motions[i])));
+  for (std::size_t i = 0; i < ids.size(); ++i) become(body(ids[i]), std::move(moved[i]));
+}
+
+void World::State::set_may_touch(std::span<const BodyPair> pairs, bool may_touch) {
+  for (const auto& [a, b] : pairs) require_may_touch(a, b, may_touch);
+  std::set<BodyPair> excluded = excluded_pairs;
+  for (const auto& [a, b] : pairs) {
+    if (a == b) continue;
+    const BodyPair pair{std::min(a, b), std::max(a, b)};
+    if (may_touch)
+      excluded.erase(pair);
+    else
+      excluded.insert(pair);
+  }
+  // Nothing below can fail.
+  if (excluded != excluded_pairs) drop_gathered();
+  excluded_pairs.swap(excluded);
+  for (const auto& [a, b] : pairs)
+    if (a == b) body(a).may_touch_itself = may_touch;
+}
+
+void World::State::require_may_touch(BodyId a, BodyId b, bool may_touch) {
+  const Body &first = body(a), &second = body(b);
+  if (may_touch && a == b && !first.deforming())
+    throw InvalidOptions("body " + std::to_string(a) + " does not deform, so it cannot touch itself: leave that out");
+  if (may_touch && a != b && first.motion_kind() == MotionKind::still && second.motion_kind() == MotionKind::still)
+    throw InvalidOptions(
+        "bodies " + std::to_string(a) + " and " + std::to_string(b) +
+        " both stay where they are, and two such bodies are never asked about: tell one of them a motion");
+}
+
+void World::State::refuse_twice(std::span<const BodyId> ids) {
+  std::vector<BodyId> ordered(ids.begin(), ids.end());
+  std::ranges::sort(ordered);
+  const auto twice = std::ranges::adjacent_find(ordered);
+  if (twice != ordered.end())
+    throw InvalidOptions("body " + std::to_string(*twice) + " is named twice: give each once");
+}
+
+void World::State::drop_gathered() {
+  for (Gathering* gathering : {&straight_, &turning_, &at_rest_}) gathering->gathered = nullptr;
 }
 
 void World::State::forget_gathered(const Body& changed) {
-  for (Gathering* gathering : {&straight_, &turning_, &at_rest_}) gathering->gathered = nullptr;
+  drop_gathered();
   forget_if_still(changed);
 }
 

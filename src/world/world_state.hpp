@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernels/kernels.hpp"
+#include "numerics/floating_point_state.hpp"
 #include "query/stopwatch.hpp"
 #include "tamis/busy_guard.hpp"
 #include "world/gathering.hpp"
@@ -18,7 +19,12 @@ struct World::State {
   State(const State& other);
 
   Body& body(BodyId id);
+  // Changes of one or many bodies: all of it is computed before any of it is done.
+
+  std::vector<BodyId> add(const std::shared_ptr<const BodyShape>& shape, std::vector<BodyMotion> motions);
   void move(BodyId id, BodyMotion motion);
+  void move(std::span<const BodyId> ids, std::vector<BodyMotion> motions);
+  void set_may_touch(std::span<const BodyPair> pairs, bool may_touch);
   /// To be called when a body is removed, or when anything of it but its motion has changed: drops the gathered meshes.
   void forget_gathered(const Body& changed);
   /// To be called when a body is added or given another motion. Gathered meshes notice both by themselves.
@@ -33,8 +39,15 @@ struct World::State {
   std::atomic_flag is_asked;
 
   class Turn;
+  class QuestionTurn;
   EarliestBodyContact earliest(const QueryOptions& asked);
 
+  void become(Body& body, Body moved) noexcept;
+  void drop_gathered();
+  /// Throws InvalidOptions.
+  void require_may_touch(BodyId a, BodyId b, bool may_touch);
+  /// Throws InvalidOptions if a body is named twice.
+  static void refuse_twice(std::span<const BodyId> ids);
   /// Throws InvalidOptions and InvalidStep.
   void validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions);
   /// Pairs of bodies that may touch, ascending, both switched on and not both still, whose hulls come within the
@@ -88,21 +101,31 @@ inline QueryOptions of_curves(QueryOptions asked) {
   return asked;
 }
 
-/// The state, for as long as one question has its turn; measures the question.
+/// The state, for as long as one change or question has its turn.
 class World::State::Turn {
  public:
-  /// Throws Busy.
-  explicit Turn(State& state) : state_(state), guard_(state.is_asked) { state_.statistics = {}; }
-  ~Turn() {
-    state_.statistics.seconds.total = watch_.seconds();
-    state_.statistics.memory_bytes = state_.memory_bytes();
-  }
+  /// Throws Busy, and Error of a world that has been moved from.
+  explicit Turn(const World& world) : state_(world.state()), guard_(state_.is_asked) {}
   Turn(const Turn&) = delete;
   State* operator->() const { return &state_; }
+  State& operator*() const { return state_; }
 
  private:
   State& state_;
   const BusyGuard guard_;
+  const ComputingState computing_;
+};
+
+/// The turn of a question, which is measured.
+class World::State::QuestionTurn : public Turn {
+ public:
+  explicit QuestionTurn(const World& world) : Turn(world) { (*this)->statistics = {}; }
+  ~QuestionTurn() {
+    (*this)->statistics.seconds.total = watch_.seconds();
+    (*this)->statistics.memory_bytes = (*this)->memory_bytes();
+  }
+
+ private:
   const Stopwatch watch_;
 };
 

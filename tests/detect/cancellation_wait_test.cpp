@@ -11,6 +11,7 @@
 #include "tamis/error.hpp"
 #include "tamis/pair.hpp"
 #include "tamis/rigid_path.hpp"
+#include "tamis/world.hpp"
 
 namespace tamis::test {
 
@@ -96,6 +97,86 @@ TEST_P(CancellationWait, IsShortOnAPath) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, CancellationWait, testing::Values(Method::tamis, Method::paper, Method::brute),
                          [](const testing::TestParamInfo<Method>& method) { return test_name(name_of(method.param)); });
+
+Options alone_in_the_library(Waits& waits) {
+  Options options;
+  options.threads = 1;
+  options.is_cancelled = waits.is_cancelled();
+  return options;
+}
+
+/// Many triangles of two sheets that lie in each other, so that nearly all pairs end the step at once: `pairs`
+/// thousands of them are decided, sorted and given planes.
+Scene sheets_in_each_other(Index cells) {
+  Scene scene = two_sheets(cells);
+  for (auto* points : {&scene.start, &scene.end})
+    for (std::size_t v = points->size() / 2; v < points->size(); ++v) {
+      Point& p = (*points)[v];
+      p[1] = (*points)[v - points->size() / 2][1] + (points == &scene.start ? 1e-4 : -1e-4);
+    }
+  return scene;
+}
+
+// Bug: pairs get planes, and are sorted, without a look at is_cancelled.
+TEST(CancellationWaitOfManyPairs, IsShort) {
+  const Index cells = 70;
+  const Scene scene = sheets_in_each_other(cells);
+  const Mesh mesh = scene.mesh();
+  const double edge = edge_of_sheets(cells);
+  Waits waits(4);
+  for (const double separation : {0.0, 0.75 * edge}) {
+    Detector detector(mesh, alone_in_the_library(waits));
+    const QueryOptions options{.min_separation = separation};
+    EXPECT_LT(waits.longest_of([&] { detector.truncate(scene.step(), 0.1, options); }), kLongestWait) << separation;
+    EXPECT_LT(waits.longest_of([&] { detector.contacts(scene.step(), options); }), kLongestWait) << separation;
+    EXPECT_LT(waits.longest_of([&] { detector.safe_step(scene.step(), 0.1, options); }), kLongestWait) << separation;
+    EXPECT_LT(waits.longest_of([&] { detector.pairs_within(scene.start, separation); }), kLongestWait) << separation;
+    EXPECT_LT(waits.longest_of([&] { detector.intersections(scene.end); }), kLongestWait) << separation;
+  }
+}
+
+TEST(CancellationWaitOfManyPairs, IsShortOnAPath) {
+  const Index cells = 60;
+  const Scene scene = sheets_in_each_other(cells);
+  const BezierPath path = bent_path(scene);
+  Waits waits(4);
+  Detector detector(scene.mesh(), alone_in_the_library(waits));
+  for (const double separation : {0.0, edge_of_sheets(cells)})
+    for (const AnyQuestion& question : questions_of(path, separation))
+      EXPECT_LT(waits.longest_of([&] { question.ask_only(detector); }), kLongestWait) << question.name;
+}
+
+// Bug: the items that may meet are gathered, and cut into pieces, without a look at is_cancelled.
+TEST(CancellationWaitOfWorlds, IsShort) {
+  const Index cells = 40;
+  const Scene scene = two_sheets(cells);
+  const auto half = static_cast<std::ptrdiff_t>(scene.start.size() / 2);
+  const Mesh both = scene.mesh();
+  std::vector<Face> faces;
+  for (const Face& face : both.faces())
+    if (face[0] < half && face[1] < half && face[2] < half) faces.push_back(face);
+  const std::vector<Point> points(scene.start.begin(), scene.start.begin() + half);
+  const Shape sheet(Mesh(static_cast<Index>(half), faces), points);
+  Waits waits(2);
+  const Pose above{{0.003, 0.1, 0.001}, {}};
+  const std::vector<BodyMotion> motions{Rigid{between(above, {{0, -0.1, 0}, {0, 1, 0}})},
+                                        Rigid{interpolated(above, {{0.1, -0.1, 0.05}, {}})},
+                                        Rigid{between({{0, 0.02, 0}, {}}, {{0, 0.02, 0}, {0, 0.25, 0}})}};
+  for (const BodyMotion& motion : motions) {
+    World world(alone_in_the_library(waits));
+    world.add(sheet, Static{});
+    world.add(sheet, motion);
+    const auto expect_short = [&](const char* what, const auto& ask) {
+      EXPECT_LT(waits.longest_of(ask), kLongestWait) << what << ", motion " << &motion - motions.data();
+    };
+    expect_short("earliest", [&] { (void)world.earliest(); });
+    expect_short("contacts", [&] { (void)world.contacts(); });
+    expect_short("is_free", [&] { (void)world.is_free(); });
+    expect_short("safe_step", [&] { (void)world.safe_step(0.1); });
+    expect_short("pairs_within", [&] { (void)world.pairs_within(0.05); });
+    expect_short("intersections", [&] { (void)world.intersections(); });
+  }
+}
 
 /// Two unit squares. One moves such that each pair takes seconds.
 struct Squares {

@@ -5,6 +5,7 @@
 
 #include "tamis/error.hpp"
 #include "world/random_world.hpp"
+#include "world/simple_shapes.hpp"
 
 namespace tamis::test {
 namespace {
@@ -225,6 +226,27 @@ TEST(World, TakesAShapeThatHasBeenMovedFrom) {
   world.add(other, Rigid{});
   EXPECT_FALSE(world.is_free());
   EXPECT_EQ(&shape.mesh(), &other.mesh());
+}
+
+/// All or none: what is refused changes no body.
+TEST(BadWorld, ManyBodiesAreChangedOrNone) {
+  const Shape body = cube();
+  World world;
+  const std::vector<BodyId> both = world.add_many(body, {Static{}, Rigid{interpolated({}, {{1, 0, 0}, {}})}});
+  EXPECT_EQ(both, (std::vector<BodyId>{0, 1}));
+  const Deforming too_few{{{0, 0, 0}}, {{0, 0, 0}}};
+  EXPECT_THROW(world.add_many(body, {Static{}, too_few}), InvalidStep);
+  EXPECT_THROW(world.move_many(both, {Rigid{}, too_few}), InvalidStep);
+  EXPECT_THROW(world.move_many(both, {Rigid{}}), InvalidOptions);
+  EXPECT_THROW(world.move_many(std::vector<BodyId>{0, 0}, {Rigid{}, Rigid{}}), InvalidOptions);
+  EXPECT_THROW(world.move_many(std::vector<BodyId>{0, 7}, {Rigid{}, Rigid{}}), InvalidOptions);
+  EXPECT_EQ(world.motion(0).index(), 0U);
+  const std::vector<std::array<BodyId, 2>> pairs{{0, 1}, {0, 7}};
+  EXPECT_THROW(world.set_may_touch(pairs, false), InvalidOptions);
+  EXPECT_FALSE(world.contacts().empty());
+  world.move_many(both, {Rigid{interpolated({}, {{1, 0, 0}, {}})}, Static{{{9, 0, 0}, {}}}});
+  EXPECT_EQ(world.motion(0).index(), 1U);
+  EXPECT_EQ(world.add(body, Static{}), 2);
 }
 
 }  // namespace

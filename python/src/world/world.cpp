@@ -1,7 +1,9 @@
 // A world of bodies that lets other Python threads run while it works, and stops when Python wants it to.
 #include "tamis/world.hpp"
 
+#include <array>
 #include <span>
+#include <vector>
 
 #include "python/src/answers.hpp"
 #include "python/src/asker.hpp"
@@ -21,34 +23,14 @@ class Bodies {
   template <class Motions, class... Arrays>
   nb::object add(const Shape& shape, const Arrays&... arrays) {
     const Motions motions{arrays...};
-    std::vector<BodyId> added;
-    asker_.ask([&] {
-      try {
-        for (std::size_t i = 0; i < motions.count(); ++i) added.push_back(world_.add(shape, motions[i]));
-      } catch (...) {
-        for (const BodyId body : added) world_.remove(body);
-        throw;
-      }
-    });
-    return own<BodyId>(std::move(added));
+    return own<BodyId>(asker_.answer([&] { return world_.add_many(shape, all_of(motions)); }));
   }
 
   /// All or none. REQUIRES: as many bodies as motions, each once, which the Python side sees to.
   template <class Motions, class... Arrays>
   void move(const Indices& bodies, const Arrays&... arrays) {
     const Motions motions{arrays...};
-    change(of(bodies), [&] {
-      std::vector<BodyMotion> before;
-      try {
-        for (const BodyId body : of(bodies)) {
-          before.push_back(world_.motion(body));
-          world_.move(body, motions[before.size() - 1]);
-        }
-      } catch (...) {
-        for (std::size_t i = 0; i < before.size(); ++i) world_.move(of(bodies)[i], std::move(before[i]));
-        throw;
-      }
-    });
+    asker_.ask([&] { world_.move_many(of(bodies), all_of(motions)); });
   }
 
   /// REQUIRES: each once, as above.
@@ -71,10 +53,8 @@ class Bodies {
   }
 
   void set_may_touch(const IndexRowsIn<2>& pairs, bool may_touch) {
-    const std::span<const BodyId> bodies(pairs.data(), pairs.size());
-    change(bodies, [&] {
-      for (std::size_t i = 0; i < bodies.size(); i += 2) world_.set_may_touch(bodies[i], bodies[i + 1], may_touch);
-    });
+    const auto* first = reinterpret_cast<const std::array<BodyId, 2>*>(pairs.data());
+    asker_.ask([&] { world_.set_may_touch({first, pairs.shape(0)}, may_touch); });
   }
 
   nb::tuple points_at(BodyId body, double time) {
@@ -92,11 +72,7 @@ class Bodies {
   /// Of chains, one for each of the bodies, then again for the next motion.
   nb::tuple earliest_many(const Indices& bodies, const Chains& chains, const QueryOptions& q) {
     const ByChains given{chains};
-    const auto found = asker_.answer([&] {
-      std::vector<BodyMotion> motions;
-      for (std::size_t i = 0; i < given.count(); ++i) motions.push_back(given[i]);
-      return world_.earliest_many(of(bodies), motions, q);
-    });
+    const auto found = asker_.answer([&] { return world_.earliest_many(of(bodies), all_of(given), q); });
     return earliest_columns(found);
   }
   bool is_free(const QueryOptions& q) {
@@ -125,6 +101,13 @@ class Bodies {
 
  private:
   static std::span<const BodyId> of(const Indices& bodies) { return {bodies.data(), bodies.shape(0)}; }
+
+  template <class Motions>
+  static std::vector<BodyMotion> all_of(const Motions& motions) {
+    std::vector<BodyMotion> all;
+    for (std::size_t i = 0; i < motions.count(); ++i) all.push_back(motions[i]);
+    return all;
+  }
 
   /// One that is not there is refused before anything has changed.
   template <class Change>

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import abc
+from typing import Any
 
 import numpy.typing as npt
 
@@ -38,6 +39,11 @@ class Path(abc.ABC):
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.vertex_count} vertices)"
+
+    def __reduce__(self) -> Any:
+        raise TypeError(
+            f"a {type(self).__name__} cannot be pickled or copied: pickle what it was made of, and make one where you need it"
+        )
 
 
 class CompiledPath(Path):

@@ -185,6 +185,7 @@ void PathSearch::decide(const TimeInterval<double>& piece, std::span<const std::
     in_contact_until_.erase(key_of(pair));
     contacts_.push_back(contact_of(pair.kind, pair.vertices, r));
     if (query_.question == Question::is_free) bound_.settle();
+    // Certified brackets are no wider than the tolerance: that of a pair that touches later yet begins later than this.
     if (query_.question == Question::earliest)
       bound_.lower(r.toi_upper + asked_.tolerance, query_.answer_of(pair.kind, pair.vertices));
   }

@@ -113,12 +113,23 @@ class Clamp {
 
   using FirstContacts = std::map<BodyPair, BodyContact>;
 
+  bool may_collide(const BodyPair& bodies) const { return !overlapping_.contains(bodies) && step_.collides(bodies); }
+  bool collides_at(const BodyContact& contact) const {
+    const Index second = contact.vertices[contact.kind == PairKind::edge_edge ? 2 : 1];
+    return step_.collides_at(contact.bodies, {contact.vertices[0], second});
+  }
+
+  /// All contacts of a pair are needed only where its first one is of parts that do not collide: it hides others.
   FirstContacts first_contacts() {
+    const QueryOptions asked{.at_start = AtStart::ignore, .tolerance = kTolerance};
+    std::vector<BodyContact> contacts = world_.first_contacts(asked);
+    std::erase_if(contacts, [&](const BodyContact& contact) { return !may_collide(pair_of(contact.bodies)); });
+    const auto counts = [&](const BodyContact& contact) { return collides_at(contact); };
+    if (!std::ranges::all_of(contacts, counts)) contacts = world_.contacts(asked);
     FirstContacts first;
-    for (const BodyContact& contact : world_.contacts({.at_start = AtStart::ignore, .tolerance = kTolerance})) {
+    for (const BodyContact& contact : contacts) {
       const BodyPair bodies = pair_of(contact.bodies);
-      const Index second = contact.vertices[contact.kind == PairKind::edge_edge ? 2 : 1];
-      if (overlapping_.contains(bodies) || !collide_at(step_, contact.bodies, {contact.vertices[0], second})) continue;
+      if (!may_collide(bodies) || !collides_at(contact)) continue;
       const auto [known, is_new] = first.try_emplace(bodies, contact);
       if (!is_new && contact.toi_lower < known->second.toi_lower) known->second = contact;
     }

@@ -38,6 +38,12 @@ tamis_status tamis_world_contacts(tamis_world* world, const tamis_query_options*
   });
 }
 
+tamis_status tamis_world_first_contacts(tamis_world* world, const tamis_query_options* options, size_t* count) {
+  return ask(world, options, [&](tamis_world& handle, tamis::World& w, const tamis::QueryOptions& q) {
+    keep_rows(handle.contacts, count, [&] { return w.first_contacts(q); });
+  });
+}
+
 tamis_status tamis_world_earliest(tamis_world* world, const tamis_query_options* options, double* toi_lower,
                                   double* toi_upper, size_t* count) {
   return ask(world, options, [&](tamis_world& handle, tamis::World& w, const tamis::QueryOptions& q) {

@@ -34,6 +34,7 @@ class Bodies final : public Verb {
     return "  tamis bodies throw.json\n"
            "  tamis bodies throw.json --out contacts.csv\n"
            "  tamis bodies throw.json --out throw.html\n"
+           "  tamis bodies throw.json --first --out firsts.csv\n"
            "  tamis bodies throw.json --check-start\n"
            "  tamis bodies throw.json --min-separation 1e-3 --at-start ignore --json";
   }
@@ -44,6 +45,8 @@ class Bodies final : public Verb {
     detector_.declare_for_bodies(options);
     at_start_.declare(options);
     start_.declare_for_bodies(options);
+    options.add_flag("--first", first_,
+                     "of each step and pair of bodies the first contact alone, which is sooner known");
     declare_output(options, out_, "the contacts of all steps: a table (.csv), or a page that shows them (.html)");
     declare_repeat(options, repeat_);
     declare_json(options, json_);
@@ -70,7 +73,8 @@ class Bodies final : public Verb {
       std::vector<BodyContact> contacts;
       const Timing timing = asked_of(step_text(step), [&] {
         if (step > 1) bodies.go_on(world);
-        return ask_repeatedly(world, repeat_, [&] { contacts = world.contacts(own); });
+        return ask_repeatedly(world, repeat_,
+                              [&] { contacts = first_ ? world.first_contacts(own) : world.contacts(own); });
       });
       if (csv) csv->add(step, contacts, bodies.names());
       if (film) film->add(step, contacts);
@@ -93,7 +97,7 @@ class Bodies final : public Verb {
 
   std::string path_, out_;
   int repeat_ = 1;
-  bool json_ = false;
+  bool first_ = false, json_ = false;
   DetectorArguments detector_;
   AtStartArgument at_start_;
   StartCheck start_;

@@ -144,6 +144,11 @@ class World {
   /// AtStart::ignore leaves a pair out until the first of the times in docs/worlds.md at which it is proven apart.
   /// Throws InvalidOptions, and with AtStart::fail InvalidStep.
   std::vector<BodyContact> contacts(const QueryOptions& = {});
+  /// Finds the first contact of each pair of bodies, and of each deforming body with itself: of all `contacts` of the
+  /// pair the one with the least toi_lower, and of several such the first by kind, then bodies and vertices. Costs
+  /// about as much as `earliest` where the same bodies meet, not as much as their contacts. Returns one contact for
+  /// each pair that touches, sorted by its smaller body, then by its greater one. Throws as `contacts`.
+  std::vector<BodyContact> first_contacts(const QueryOptions& = {});
   EarliestBodyContact earliest(const QueryOptions& = {});
   /// For planners, which move from configuration to configuration: `earliest` for each of many motions of some bodies,
   /// while all others move as they were told. `motions`: for the first motion one entry for each of `bodies`, in their

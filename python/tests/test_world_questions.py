@@ -48,6 +48,12 @@ def test_the_contacts_of_a_detector(cube: tamis.Shape) -> None:
     rows = zip(expected.kind.tolist(), map(tuple, expected.vertices.tolist()), alone.toi_lower.tolist())
     assert _named(found) == {*rows} and len(found) == len(expected)
     assert found.certified.all()
+    firsts: dict[tuple[int, ...], float] = {}
+    for pair, lower in zip(np.sort(found.bodies).tolist(), found.toi_lower.tolist()):
+        firsts[tuple(pair)] = min(lower, firsts.get(tuple(pair), 1))
+    of_pairs = world.first_contacts()
+    assert [*map(tuple, np.sort(of_pairs.bodies).tolist())] == sorted(firsts)
+    assert of_pairs.toi_lower.tolist() == [firsts[pair] for pair in sorted(firsts)]
     first, theirs = world.earliest(), detector.earliest(start, end)
     assert first.toi_lower == pytest.approx(theirs.toi_lower, abs=1e-12)
     assert first.contact is not None and not world.is_free()

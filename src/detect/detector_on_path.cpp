@@ -12,9 +12,9 @@ namespace tamis {
 /// Validates `asked`, then calls find(search) with the search of this question, and measures it.
 template <class Find>
 void Detector::State::on_path(const CutPath& path, double keep, const QueryOptions& asked, Question question,
-                              const Find& find) {
+                              const BodyPairs* each_of, const Find& find) {
   validate_of_path(asked);
-  const Query whole = asked_query({}, asked, question);
+  const Query whole = asked_query({}, asked, question, each_of);
   const CallersPath callers(path.path);
   measure([&] {
     const MeshOnPath on_path{callers, whole, asked.tolerance.value_or(PairOptions().tolerance), path.ends, keep};
@@ -23,8 +23,9 @@ void Detector::State::on_path(const CutPath& path, double keep, const QueryOptio
   });
 }
 
-EarliestContact Detector::State::find(const CutPath& path, const QueryOptions& asked, Question question) {
-  on_path(path, 0, asked, question, [&](PathSearch& search) {
+EarliestContact Detector::State::find(const CutPath& path, const QueryOptions& asked, Question question,
+                                      const BodyPairs* each_of) {
+  on_path(path, 0, asked, question, each_of, [&](PathSearch& search) {
     found.contacts() = search.find();
     sort_found();
   });
@@ -39,7 +40,8 @@ EarliestContact Detector::State::find(const CutPath& path, const QueryOptions& a
 SafeStep Detector::State::safe_step(const CutPath& path, double keep, const QueryOptions& asked) {
   validate_kept(keep);
   SafeStep answer;
-  on_path(path, keep, asked, Question::earliest, [&](PathSearch& search) { answer = search.find_step_length(); });
+  on_path(path, keep, asked, Question::earliest, nullptr,
+          [&](PathSearch& search) { answer = search.find_step_length(); });
   return answer;
 }
 

@@ -69,16 +69,19 @@ void Detector::State::in_arena_if_long(const Work& work) {
     work();
 }
 
-Query Detector::State::asked_query(const Step& step, const QueryOptions& asked, Question question) const {
+Query Detector::State::asked_query(const Step& step, const QueryOptions& asked, Question question,
+                                   const BodyPairs* each_of) const {
   Query result = query(step, separations(asked.min_separation.value_or(options.min_separation)), question);
   result.ignores_start = asked.at_start == AtStart::ignore;
+  result.each_of = each_of;
   return result;
 }
 
-Query Detector::State::validated_query(const Step& step, const QueryOptions& asked, Question question) {
+Query Detector::State::validated_query(const Step& step, const QueryOptions& asked, Question question,
+                                       const BodyPairs* each_of) {
   validate_of_step(asked);
   in_arena_if_long([&] { validate(step, mesh); });
-  Query result = asked_query(step, asked, question);
+  Query result = asked_query(step, asked, question, each_of);
   if (frame_) result.frame = &*frame_;
   return result;
 }
@@ -86,11 +89,14 @@ Query Detector::State::validated_query(const Step& step, const QueryOptions& ask
 EarliestContact Detector::State::find(const Query& query) {
   EarliestContact first;
   measure([&] {
-    bound_.begin();
+    bound_.begin(1, query.answers());
     found.begin(query, bound_);
     engine_->find(query, found, statistics);
-    if (query.question == Question::all_contacts) sort_found();
-    if (query.question == Question::earliest) first = found.first();
+    if (query.each_of)
+      found.contacts() = found.firsts();
+    else if (query.question == Question::earliest)
+      first = found.first();
+    sort_found();
     statistics.decided_by += found.decided_by();
     statistics.ignored = found.ignored();
   });
@@ -104,9 +110,10 @@ void Detector::State::refuse_start(const Query& query, const Contact& touching) 
                     ": move them apart, leave the pair out, or ask with at_start ignore");
 }
 
-EarliestContact Detector::State::find(const Step& step, const QueryOptions& asked, Question question) {
-  Query whole = validated_query(step, asked, question);
-  whole.depends_on_pair_alone = serves_world_ && question == Question::all_contacts;
+EarliestContact Detector::State::find(const Step& step, const QueryOptions& asked, Question question,
+                                      const BodyPairs* each_of) {
+  Query whole = validated_query(step, asked, question, each_of);
+  whole.depends_on_pair_alone = serves_world_ && (question == Question::all_contacts || each_of);
   const EarliestContact first = find(whole);
   if (asked.at_start != AtStart::fail) return first;
   if (first.contact && first.toi_upper == 0) refuse_start(whole, *first.contact);

@@ -37,6 +37,11 @@ struct Detector::State {
   EarliestContact earliest(const auto& motion, const QueryOptions& asked) {
     return find(motion, asked, Question::earliest);
   }
+  /// The first contact of each of these pairs of bodies that has one: those in `found`. To be asked of a world's mesh.
+  const std::vector<Contact>& first_contacts(const auto& motion, const QueryOptions& asked, const BodyPairs& each_of) {
+    find(motion, asked, Question::earliest, &each_of);
+    return found.contacts();
+  }
   /// AtStart::fail needs the earliest contact: any other does not tell whether a pair touches at the start.
   bool is_free(const auto& motion, const QueryOptions& asked) {
     if (asked.at_start == AtStart::fail) return !earliest(motion, asked).contact;
@@ -67,20 +72,24 @@ struct Detector::State {
     return {step, separations, options.filter, rings_, options.is_cancelled, question};
   }
   /// The same with a question's own options. Throws InvalidOptions.
-  Query asked_query(const Step& step, const QueryOptions& asked, Question question) const;
+  Query asked_query(const Step& step, const QueryOptions& asked, Question question, const BodyPairs* each_of) const;
   template <class Find>
-  void on_path(const CutPath& path, double keep, const QueryOptions& asked, Question question, const Find& find);
+  void on_path(const CutPath& path, double keep, const QueryOptions& asked, Question question, const BodyPairs* each_of,
+               const Find& find);
   /// Truncates the step of a validated query. The caller can store the positions at its end.
   TruncatedStep truncate(const Query& whole, double keep, AtStart at_start, Stored stored);
   /// Runs a loop over the vertices, in the arena if it is long enough for threads to share.
   template <class Work>
   void in_arena_if_long(const Work& work);
   /// Throws InvalidOptions, InvalidStep.
-  Query validated_query(const Step& step, const QueryOptions& asked, Question question = Question::all_contacts);
-  /// Finds contacts, which `found` holds then; of `earliest` the first, which is returned. Throws InvalidOptions,
-  /// InvalidStep, InvalidPath.
-  EarliestContact find(const Step& step, const QueryOptions& asked, Question question);
-  EarliestContact find(const CutPath& path, const QueryOptions& asked, Question question);
+  Query validated_query(const Step& step, const QueryOptions& asked, Question question = Question::all_contacts,
+                        const BodyPairs* each_of = nullptr);
+  /// Finds contacts, which `found` holds then; of `earliest` the first, which is returned, or with `each_of` those of
+  /// the pairs of bodies. Throws InvalidOptions, InvalidStep, InvalidPath.
+  EarliestContact find(const Step& step, const QueryOptions& asked, Question question,
+                       const BodyPairs* each_of = nullptr);
+  EarliestContact find(const CutPath& path, const QueryOptions& asked, Question question,
+                       const BodyPairs* each_of = nullptr);
   EarliestContact find(const Query& query);
   /// Throws InvalidStep, which names the pair: it touches at the step's start.
   [[noreturn]] void refuse_start(const Query& query, const Contact& touching) const;

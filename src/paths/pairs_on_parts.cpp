@@ -58,11 +58,13 @@ PairsOnParts::Part PairsOnParts::part_of(const std::vector<Index>& vertices, con
   return {used_of(vertices), at_time(from), at_time(to), std::move(pairs), halvings};
 }
 
-std::vector<std::int32_t> PairsOnParts::next(double latest) {
-  while (!parts_.empty() && parts_.back().from.time <= latest) {
+std::vector<std::int32_t> PairsOnParts::next(const Wants& wants) {
+  while (!parts_.empty()) {
     Part part = std::move(parts_.back());
     parts_.pop_back();
-    std::erase_if(part.pairs, [&](std::int32_t pair) { return is_given_[at(pair)]; });
+    std::erase_if(part.pairs, [&](std::int32_t pair) {
+      return is_given_[at(pair)] || !wants(piece_->pairs[at(pair)], part.from.time);
+    });
     if (part.pairs.empty()) continue;
     if (part.pairs.size() > kFewPairs && part.halvings < kMostHalvingsOfPiece && tests_left_ >= 2 * part.pairs.size()) {
       halve(part);

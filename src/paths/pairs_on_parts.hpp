@@ -31,9 +31,11 @@ class PairsOnParts {
   /// Keeps the piece's references until the next call.
   void begin(const Piece& piece);
 
-  /// The places in Piece::pairs of the pairs to decide next, ascending: those that may touch in the earliest remaining
-  /// part. Returns each pair once. Empty if no other pair touches until `latest`. Throws InvalidPath and Cancelled.
-  std::vector<std::int32_t> next(double latest);
+  /// Is a pair that is apart before this time still wanted? Once it is not, it is not for later times.
+  using Wants = std::function<bool(const Contact& pair, double from)>;
+  /// The places in Piece::pairs of the pairs to decide next, ascending: those that may touch in the earliest part that
+  /// has wanted pairs. Returns each pair once. Empty if no other pair is wanted. Throws InvalidPath and Cancelled.
+  std::vector<std::int32_t> next(const Wants& wants);
 
  private:
   struct Part {

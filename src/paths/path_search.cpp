@@ -25,6 +25,9 @@ constexpr std::size_t kBatch = 256;
 /// Size of the first batch if the question ends with the first contact, which spares the rest.
 constexpr std::size_t kFirstBatch = 8;
 
+/// More than the rounding of a time when it is taken from the path to a piece, or back.
+constexpr double kBeyondRounding = 1 + 0x1p-40;
+
 /// The vertices of these pairs, ascending, each once.
 std::vector<Index> vertices_of(std::span<const Contact> pairs, std::span<const std::int32_t> places) {
   std::vector<Index> vertices;
@@ -80,13 +83,13 @@ std::vector<double> PathSearch::radii_to_search() {
 }
 
 std::vector<Contact> PathSearch::find() {
-  for (MeshMoment from = pieces_.moment_at(0); from.time < 1;) {
+  bound_.begin(1, query_.answers());
+  for (MeshMoment from = pieces_.moment_at(0); from.time < 1 && from.time <= bound_.latest() && !bound_.is_settled();) {
     stop_if_cancelled(query_);
     MeshMoment to = pieces_.next(from);
     search_chords(from, to);
     const std::size_t before = contacts_.size();
     decide_all(from, to);
-    if (contacts_.size() > before && query_.question != Question::all_contacts) break;
     for (std::size_t i = before; i < contacts_.size(); ++i) {
       if (i % kBatch == 0) stop_if_cancelled(query_);
       reported_.insert(key_of(contacts_[i]));
@@ -94,6 +97,7 @@ std::vector<Contact> PathSearch::find() {
     from = std::move(to);
   }
   if (asked_.keep == 0) statistics_.ignored += in_contact_until_.size();
+  if (query_.each_of) keep_firsts(query_, contacts_);
   return std::move(contacts_);
 }
 
@@ -108,8 +112,9 @@ void PathSearch::search_chords(const MeshMoment& from, const MeshMoment& to) {
   Query chords{
       {straight.start, straight.end}, {searched_.fixed, radii}, query_.filter, query_.rings, query_.is_cancelled};
   chords.is_piece = true;
-  Bound bound;
-  candidates_.begin(chords, bound);
+  chords.each_of = query_.each_of;
+  begin_bound_on_piece({from.time, to.time});
+  candidates_.begin(chords, bound_on_piece_);
   engine_.find(chords, candidates_, statistics_);
   statistics_.decided_by += candidates_.decided_by();
   pieces_.adapt_length(candidates_.contacts().size());
@@ -118,6 +123,16 @@ void PathSearch::search_chords(const MeshMoment& from, const MeshMoment& to) {
     if (++looked_at % kBatch == 0) stop_if_cancelled(query_);
     return reported_.contains(key_of(pair));
   });
+}
+
+/// Chords that come near later than a time of the piece may be left out where their curves may be left out then.
+void PathSearch::begin_bound_on_piece(const TimeInterval<double>& piece) {
+  bound_on_piece_.begin(1, query_.answers());
+  for (std::size_t answer = 0; answer < query_.answers(); ++answer) {
+    const double latest = bound_.latest(answer);
+    const double on_piece = (latest - piece.t_in) / (piece.t_out - piece.t_in) * kBeyondRounding;
+    bound_on_piece_.lower(latest < piece.t_in ? Bound::kNever : on_piece, answer);
+  }
 }
 
 void PathSearch::decide_all(const MeshMoment& from, const MeshMoment& to) {
@@ -129,23 +144,23 @@ void PathSearch::decide_all(const MeshMoment& from, const MeshMoment& to) {
   std::sort(pairs.begin(), pairs.end(), pausing(is_earlier, pause));
   parts_.begin({asked_.path, searched_, pairs, from, to, query_.is_cancelled});
   const TimeInterval<double> piece{from.time, to.time};
-  const double start = piece.t_in, length = piece.t_out - start;
-  double latest = piece.t_out;
+  // Pairs ascend by these times, so that an early contact spares later ones.
+  const auto is_wanted = [&](std::int32_t place) {
+    const Contact& pair = pairs[at(place)];
+    return wants(pair, piece.t_in + pair.toi_lower * (piece.t_out - piece.t_in) / kBeyondRounding);
+  };
+  const PairsOnParts::Wants wants_it = [this](const Contact& pair, double from_time) { return wants(pair, from_time); };
   std::size_t most = query_.question == Question::all_contacts ? kBatch : kFirstBatch;
-  for (std::vector<std::int32_t> places = parts_.next(latest); !places.empty(); places = parts_.next(latest))
-    for (std::span<const std::int32_t> rest = places; !rest.empty(); most = std::min(2 * most, kBatch)) {
-      // Pairs ascend by their times on the whole piece: this one and those behind it touch later than the contact
-      // found.
-      if (start + pairs[at(rest.front())].toi_lower * length * (1 - 0x1p-40) > latest) break;
-      const std::size_t count = std::min(most, rest.size());
-      const double touched_by = decide(piece, rest.first(count));
-      if (query_.question == Question::is_free && !contacts_.empty()) return;
-      if (query_.question == Question::earliest) latest = std::min(latest, touched_by);
-      rest = rest.subspan(count);
+  std::vector<std::int32_t> batch;
+  for (std::vector<std::int32_t> places = parts_.next(wants_it); !places.empty(); places = parts_.next(wants_it))
+    for (auto place = places.begin(); place != places.end(); most = std::min(2 * most, kBatch)) {
+      for (batch.clear(); place != places.end() && batch.size() < most; ++place)
+        if (is_wanted(*place)) batch.push_back(*place);
+      decide(piece, batch);
     }
 }
 
-double PathSearch::decide(const TimeInterval<double>& piece, std::span<const std::int32_t> places) {
+void PathSearch::decide(const TimeInterval<double>& piece, std::span<const std::int32_t> places) {
   struct Decided {
     PairResult result;
     std::optional<double> in_contact_until;  ///< of a pair that touches at the start and is ignored
@@ -170,7 +185,6 @@ double PathSearch::decide(const TimeInterval<double>& piece, std::span<const std
     decided[i].result = result_on_path(of_pair, decision);
   };
   tbb::parallel_for(std::size_t{0}, places.size(), as_task(decide_one));
-  double touched_by = piece.t_out;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto& [r, until] = decided[i];
     const Contact& pair = pairs[at(places[i])];
@@ -180,9 +194,11 @@ double PathSearch::decide(const TimeInterval<double>& piece, std::span<const std
     if (!r.touches) continue;
     in_contact_until_.erase(key_of(pair));
     contacts_.push_back(contact_of(pair.kind, pair.vertices, r));
-    touched_by = std::min(touched_by, r.toi_upper);
+    if (query_.question == Question::is_free) bound_.settle();
+    // Certified brackets are no wider than the tolerance: that of a pair that touches later yet begins later than this.
+    if (query_.question == Question::earliest)
+      bound_.lower(r.toi_upper + asked_.tolerance, query_.answer_of(pair.kind, pair.vertices));
   }
-  return touched_by;
 }
 
 EarliestContact first_of(const std::vector<Contact>& contacts) {

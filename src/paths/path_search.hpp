@@ -33,7 +33,8 @@ class PathSearch {
   /// Keeps references. REQUIRES (not checked: O(n)): finite radii >= 0.
   PathSearch(const Mesh& mesh, const MeshOnPath& asked, Engine& engine, const Kernels& kernels, Statistics& statistics);
 
-  /// Every pair that touches, once, in no order; for `earliest` and `is_free` the search ends soon after the first.
+  /// Every pair that touches, once, in no order. For `is_free` the search ends soon after the first; for `earliest`,
+  /// too, or with Query::each_of these are the first contacts of the pairs of bodies.
   std::vector<Contact> find();
   /// The fraction of the path that all vertices may go so that every pair keeps its part of its clearance. REQUIRES:
   /// the query asks for `earliest`.
@@ -47,10 +48,15 @@ class PathSearch {
   std::vector<double> radii_to_search();
   /// Leaves in candidates_ the pairs whose chords come within searched_ on a piece.
   void search_chords(const MeshMoment& from, const MeshMoment& to);
+  void begin_bound_on_piece(const TimeInterval<double>& piece);
   /// Decides these pairs on their curves.
   void decide_all(const MeshMoment& from, const MeshMoment& to);
-  /// Decides the candidates at these places, in parallel. Returns the earliest end of a bracket, else the piece's.
-  double decide(const TimeInterval<double>& piece, std::span<const std::int32_t> places);
+  /// Decides the candidates at these places, in parallel, and lowers the bound.
+  void decide(const TimeInterval<double>& piece, std::span<const std::int32_t> places);
+  /// Can the pair, which is apart before the time `from`, still change the answer?
+  bool wants(const Contact& pair, double from) const {
+    return !bound_.is_settled() && from <= bound_.latest(query_.answer_of(pair.kind, pair.vertices));
+  }
   /// Is the pair, which is ignored at the start, still in its first contact at this time, the start of a piece?
   bool is_in_first_contact(const Contact& pair, double time) const {
     const auto found = in_contact_until_.find(key_of(pair));
@@ -65,6 +71,8 @@ class PathSearch {
   MeshPieces pieces_;
   const std::vector<double> searched_radii_;  ///< deviations are added to these, vertex by vertex
   const Separations searched_;                ///< a pair that stays farther apart need not be looked at
+  Bound bound_;                               ///< in times of the path
+  Bound bound_on_piece_;                      ///< the same in times of the piece
   ContactCollector candidates_;
   PairsOnParts parts_;  ///< of the candidates
   std::vector<Contact> contacts_;

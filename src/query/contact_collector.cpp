@@ -13,6 +13,17 @@
 
 namespace tamis {
 
+namespace {
+
+std::vector<Contact> contacts_of(const std::vector<EarliestContact>& firsts) {
+  std::vector<Contact> contacts;
+  for (const EarliestContact& first : firsts)
+    if (first.contact) contacts.push_back(*first.contact);
+  return contacts;
+}
+
+}  // namespace
+
 bool comes_before(const Contact& a, const Contact& b) {
   return std::tie(a.kind, a.vertices, a.toi_lower, a.toi_upper) <
          std::tie(b.kind, b.vertices, b.toi_lower, b.toi_upper);
@@ -27,11 +38,17 @@ void keep_first(EarliestContact& first, const Contact& contact) {
   first.contact = contact;
 }
 
+void keep_firsts(const Query& query, std::vector<Contact>& contacts) {
+  std::vector<EarliestContact> firsts(query.answers());
+  for (const Contact& contact : contacts) keep_first(firsts[query.answer_of(contact.kind, contact.vertices)], contact);
+  contacts = contacts_of(firsts);
+}
+
 void ContactCollector::begin(const Query& query, Bound& bound) {
   query_ = &query;
   bound_ = &bound;
   contacts_.clear();
-  first_ = {};
+  first_.assign(query.answers(), {});
   touched_by_ = 1;
   decided_by_ = {};
   ignored_ = 0;
@@ -52,8 +69,9 @@ bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const Pa
     if (!contacts_.empty()) return false;
   }
   if (question == Question::earliest) {
-    if (result.toi_lower > bound_->latest()) return false;
-    bound_->lower(result.toi_upper * kNearTie);
+    const std::size_t answer = query_->answer_of(kind, vertices);
+    if (result.toi_lower > bound_->latest(answer)) return false;
+    bound_->lower(result.toi_upper * kNearTie, answer);
   }
   touched_by_ = std::min(touched_by_, result.toi_upper);
   if (question == Question::earliest && by == DecidedBy::singly) {
@@ -72,9 +90,13 @@ PairResult ContactCollector::as_counted(PairKind kind, const PairVertices& verti
                           decided_by_);
 }
 
-bool ContactCollector::wants(PairKind kind, const PairVertices& vertices) const {
+bool ContactCollector::wants(PairKind kind, const PairVertices& vertices, double from) const {
   if (query_->question == Question::is_free) return !bound_->is_settled();
-  return !touches_at_start() || std::tie(kind, vertices) < std::tie(first_.contact->kind, first_.contact->vertices);
+  const std::size_t answer = query_->answer_of(kind, vertices);
+  if (from > bound_->latest(answer)) return false;
+  if (!touches_at_start(answer)) return true;
+  const Contact& first = *first_[answer].contact;
+  return std::tie(kind, vertices) < std::tie(first.kind, first.vertices);
 }
 
 void ContactCollector::take(ContactCollector& other) {
@@ -92,21 +114,29 @@ void ContactCollector::take(ContactCollector& other) {
 }
 
 void ContactCollector::learn(const ContactCollector& other) {
-  if (!other.first_.contact) return;
-  first_.toi_upper = std::min(first_.toi_upper, other.first_.toi_upper);
-  keep_first(*other.first_.contact);
+  for (std::size_t answer = 0; answer < first_.size(); ++answer) {
+    const EarliestContact& known = other.first_[answer];
+    if (!known.contact) continue;
+    first_[answer].toi_upper = std::min(first_[answer].toi_upper, known.toi_upper);
+    keep_first(*known.contact);
+  }
 }
 
 EarliestContact ContactCollector::first() {
   reduce_to_first();
-  return first_;
+  return first_.front();
+}
+
+std::vector<Contact> ContactCollector::firsts() {
+  reduce_to_first();
+  return contacts_of(first_);
 }
 
 /// Contacts found in lanes are decided again on the whole step: their last bits depend on how much of the step the
 /// search still had to look at, and so on earlier questions.
 void ContactCollector::reduce_to_first() {
   for (const Contact& c : contacts_) {
-    if (c.toi_lower > bound_->latest() || !wants(c.kind, c.vertices)) continue;
+    if (!wants(c.kind, c.vertices, c.toi_lower)) continue;
     stop_if_cancelled(*query_);
     const double separation = query_->separations.between(c.kind, c.vertices);
     const PairResult result = decide({c.kind, points_of(query_->step, c.vertices), separation}, decided_by_);
@@ -116,8 +146,9 @@ void ContactCollector::reduce_to_first() {
 }
 
 void ContactCollector::keep_first(const Contact& decided) {
-  tamis::keep_first(first_, decided);
-  bound_->lower(decided.toi_upper * kNearTie);
+  const std::size_t answer = query_->answer_of(decided.kind, decided.vertices);
+  tamis::keep_first(first_[answer], decided);
+  bound_->lower(decided.toi_upper * kNearTie, answer);
 }
 
 }  // namespace tamis

@@ -1,4 +1,5 @@
-// Makes answers of decided pairs: collects all contacts, those that may be the first, or one.
+// Makes answers of decided pairs: collects all contacts, those that may be the first (of all, or of each pair of
+// bodies), or one.
 #pragma once
 #include <vector>
 
@@ -22,7 +23,10 @@ inline Contact contact_of(PairKind kind, const PairVertices& vertices, const Pai
 /// Updates `first` by a contact: the earliest toi_lower with its contact, and the earliest certain toi_upper.
 void keep_first(EarliestContact& first, const Contact& contact);
 
-/// How a pair was decided. singly: by decide() on the whole step.
+/// Leaves the first contact of each of the query's answers, in no order.
+void keep_firsts(const Query& query, std::vector<Contact>& contacts);
+
+/// How a pair was decided. singly: by decide() on the whole step, or with its bits.
 enum class DecidedBy { lanes, singly };
 
 /// One per thread, and one for the answer. The answer does not depend on the order of contacts, nor on which thread
@@ -37,12 +41,18 @@ class ContactCollector {
   /// `earliest` decides again what lanes decided, and keeps what was decided singly. REQUIRES: a kind there is, times
   /// in [0,1] and in order.
   bool add(PairKind kind, const PairVertices& vertices, const PairResult& result, DecidedBy by = DecidedBy::lanes);
-  /// Can this pair still change the answer? Cheap, to be asked before a pair is decided: a pair that touches at t=0
-  /// makes all that come behind it in the order of contacts irrelevant, and any contact ends the question is_free.
-  bool wants(PairKind kind, const PairVertices& vertices) const;
-  bool wants(PairKind kind) const { return wants(kind, {0, 0, 0, 0}); }
-  /// Does a known pair touch at t=0? From then on it is worth asking `wants` of each pair first.
-  bool touches_at_start() const { return first_.contact && first_.toi_upper == 0; }
+  /// Can this pair, which is apart before the time `from`, still change the answer? Cheap, to be asked before a pair is
+  /// decided: a pair that touches at t=0 makes all that come behind it in the order of contacts irrelevant, and any
+  /// contact ends the question is_free.
+  bool wants(PairKind kind, const PairVertices& vertices, double from = 0) const;
+  /// Can any pair of this kind?
+  bool wants(PairKind kind) const { return query_->each_of || wants(kind, {0, 0, 0, 0}); }
+  /// Is it worth asking `wants` of each pair first? Not before a known pair touches at t=0, if there is one answer.
+  bool is_choosy() const { return query_->each_of || touches_at_start(0); }
+  /// The latest time of interest for this pair.
+  double latest(PairKind kind, const PairVertices& vertices) const {
+    return bound_->latest(query_->answer_of(kind, vertices));
+  }
   /// Takes what `other` has collected, which then is empty.
   void take(ContactCollector& other);
   /// Takes over what `other` knows of the first contact, which spares pairs here.
@@ -55,6 +65,8 @@ class ContactCollector {
   const std::vector<Contact>& contacts() const { return contacts_; }
   /// earliest: the answer, decided on the whole step, so that it does not depend on how far the search still looked.
   EarliestContact first();
+  /// earliest: the first contact of each answer that has one, in no order.
+  std::vector<Contact> firsts();
   /// all_contacts: a time by which some pair has touched; 1 if none is known to.
   double touched_by() const { return touched_by_; }
   /// Counts the pairs that the collector has decided itself.
@@ -63,7 +75,7 @@ class ContactCollector {
   std::uint64_t ignored() const { return ignored_; }
   /// Restarts the count: the same pairs will be decided again.
   void count_ignored_anew() { ignored_ = 0; }
-  std::uint64_t memory_bytes() const { return held_bytes(contacts_); }
+  std::uint64_t memory_bytes() const { return held_bytes(contacts_, first_); }
 
  private:
   /// `earliest` collects at most so many contacts before it reduces them to the first one. A contact at t=0 is reduced
@@ -74,11 +86,13 @@ class ContactCollector {
   PairResult as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result);
   void reduce_to_first();
   void keep_first(const Contact& decided);
+  /// Does a known pair of this answer touch at t=0?
+  bool touches_at_start(std::size_t answer) const { return first_[answer].contact && first_[answer].toi_upper == 0; }
 
   const Query* query_ = nullptr;
   Bound* bound_ = nullptr;
-  std::vector<Contact> contacts_;  ///< earliest: those not yet decided singly
-  EarliestContact first_;          ///< the first of those decided singly
+  std::vector<Contact> contacts_;       ///< earliest: those not yet decided singly
+  std::vector<EarliestContact> first_;  ///< for each answer the first of those decided singly
   double touched_by_ = 1;
   PrecisionCount decided_by_;
   std::uint64_t ignored_ = 0;

@@ -7,6 +7,7 @@
 #include "bounds/box_frame.hpp"
 #include "motion/separations.hpp"
 #include "narrow/kept_distance.hpp"
+#include "query/body_pairs.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
 #include "tamis/step.hpp"
@@ -37,10 +38,19 @@ struct Query {
   const BoxFrame* frame = nullptr;
   /// The step is a piece of a path: the next one has other radii, so nothing is listed ahead.
   bool is_piece = false;
+  /// With `earliest` the answers are the first contacts of these pairs of bodies; null: the first one of the mesh.
+  /// Other pairs of bodies are left out. REQUIRES: depends_on_pair_alone.
+  const BodyPairs* each_of = nullptr;
   /// For find_step_ends alone, one a vertex: pairs all of whose vertices have 0 are known already, and may be left out
   /// of the answer. Empty: no pair is known.
   std::span<const std::uint8_t> changed = {};
 
+  /// How many first contacts are asked for.
+  std::size_t answers() const { return each_of ? each_of->count() : 1; }
+  /// Of which answer a pair may be the first contact; answers() if of none.
+  std::size_t answer_of(PairKind kind, const std::array<Index, 4>& vertices) const {
+    return each_of ? each_of->number_of(vertices[0], vertices[second_feature(kind)]) : 0;
+  }
   /// The rule by which a pair is decided in questions that keep a fraction of distances.
   DistanceRule distance_rule_for(PairKind kind, const std::array<Index, 4>& vertices, double fraction) const {
     return {fraction, separations.between(kind, vertices), ignores_start};

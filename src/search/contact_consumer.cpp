@@ -1,5 +1,6 @@
 #include "search/contact_consumer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <span>
@@ -42,15 +43,23 @@ void ContactConsumer::decide_as_list(PairKind kind) {
   for (const int pair : left) results[static_cast<std::size_t>(pair)] = {};
   decide_left(kind, left);
   for (int i = 0; i < pairs.count; ++i)
-    found_.add(kind, vertices_of(kind, pairs, i), results[static_cast<std::size_t>(i)]);
+    found_.add(kind, vertices_of(kind, pairs, i), results[static_cast<std::size_t>(i)], DecidedBy::singly);
 }
 
 void ContactConsumer::leave_out_unwanted(PairKind kind) {
   PairBuffer& pairs = thread().boxes;
   if (!found_.wants(kind)) pairs.count = 0;
-  if (found_.touches_at_start())
-    keep_wanted(pairs, [&](int i) { return found_.wants(kind, vertices_of(kind, pairs, i)); });
+  if (query().each_of) shorten_times(kind);
+  if (found_.is_choosy()) keep_wanted(pairs, [&](int i) { return found_.wants(kind, vertices_of(kind, pairs, i)); });
   leave_out(query().filter, kind, pairs);
+}
+
+void ContactConsumer::shorten_times(PairKind kind) {
+  PairBuffer& pairs = thread().boxes;
+  for (int i = 0; i < pairs.count; ++i) {
+    const double latest = found_.latest(kind, vertices_of(kind, pairs, i));
+    pairs.t_out[i] = std::min(pairs.t_out[i], float_after(std::max(latest, 0.0)));
+  }
 }
 
 /// Adds a contact that lanes found, whose place they may have left to integers.
@@ -59,12 +68,14 @@ void ContactConsumer::add(PairKind kind, const PairVertices& vertices, PairResul
     if (!found_.wants(kind, vertices)) return;
     set_place(result, exact_closest_place(kind, points_of(query().step, vertices), result.toi_lower));
   }
-  found_.add(kind, vertices, result);
+  found_.add(kind, vertices, result, query().depends_on_pair_alone ? DecidedBy::singly : DecidedBy::lanes);
 }
 
 void ContactConsumer::decide_left(PairKind kind, std::span<const int> places) {
   const auto vertices_at = [&, &pairs = thread().filtered](int place) { return vertices_of(kind, pairs, place); };
-  const auto wants_it = [&](int place) { return found_.wants(kind, vertices_at(place)); };
+  const auto wants_it = [&, &pairs = thread().filtered](int place) {
+    return found_.wants(kind, vertices_at(place), pairs.t_in[place]);
+  };
   const auto decided = [&](int place, PrecisionCount& counts) {
     stop_if_cancelled(query());
     const PairVertices vertices = vertices_at(place);

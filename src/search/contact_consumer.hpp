@@ -32,6 +32,9 @@ class ContactConsumer final : public PairStream {
  private:
   /// Removes pairs that groups or the caller's filter leave out, or that can no longer change the answer.
   void leave_out_unwanted(PairKind kind);
+  /// Ends each pair's time at the latest one of interest for its bodies: the slab clip then removes pairs that come
+  /// later.
+  void shorten_times(PairKind kind);
   /// Decides the pairs of thread().boxes as narrow_phase() decides a list (Query::depends_on_pair_alone).
   void decide_as_list(PairKind kind);
   void add(PairKind kind, const PairVertices& vertices, PairResult result);

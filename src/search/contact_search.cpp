@@ -1,19 +1,11 @@
 #include "search/contact_search.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "search/scene_beginning.hpp"
 
 namespace tamis {
 namespace {
-
-/// The smallest float at or after a time of the step.
-float float_after(double t) {
-  const auto f = static_cast<float>(t);
-  return static_cast<double>(f) >= t ? f : std::nextafter(f, std::numeric_limits<float>::infinity());
-}
 
 /// The question for all contacts has no use for samples: an early contact shortens nothing.
 Samples samples_for(const Query& query, int parts) {

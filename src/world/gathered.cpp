@@ -33,7 +33,9 @@ std::map<BodyId, Index> colors_of(const NearItems& items, const BodyList& bodies
 
 Gathered::Gathered(const BodyList& bodies, NearItems items, MotionKind least, const std::set<BodyPair>& excluded_pairs,
                    const Options& options)
-    : items_(std::move(items)), detector_(make_detector(bodies, least, excluded_pairs, options)) {}
+    : items_(std::move(items)),
+      detector_(make_detector(bodies, least, excluded_pairs, options)),
+      body_pairs_(make_body_pairs()) {}
 
 Detector Gathered::make_detector(const BodyList& bodies, MotionKind least, const std::set<BodyPair>& excluded_pairs,
                                  Options options) {
@@ -102,6 +104,18 @@ PairFilter Gathered::make_filter(const BodyList& bodies, MotionKind least,
   return filter;
 }
 
+BodyPairs Gathered::make_body_pairs() const {
+  std::map<BodyId, Index> places;
+  for (const auto& [id, unused] : items_.of_body) places.emplace(id, static_cast<Index>(places.size()));
+  std::vector<Index> place_of_vertex;
+  place_of_vertex.reserve(vertices_.size());
+  for (const Vertex& vertex : vertices_) place_of_vertex.push_back(places.at(vertex.body));
+  std::vector<std::array<Index, 2>> pairs;
+  pairs.reserve(items_.pairs.size());
+  for (const auto& [a, b] : items_.pairs) pairs.push_back({places.at(a), places.at(b)});
+  return {static_cast<Index>(places.size()), std::move(place_of_vertex), pairs};
+}
+
 bool Gathered::keeps_motion_kinds(const BodyList& bodies) const {
   auto kind = motion_kinds_.begin();
   for (const auto& [id, unused] : items_.of_body)
@@ -146,7 +160,7 @@ void Gathered::name(BodyIntersection& row) const {
 }
 
 std::uint64_t Gathered::memory_bytes() const {
-  return held_bytes(items_, vertices_, start_, end_) + detector_.statistics().memory_bytes;
+  return held_bytes(items_, vertices_, start_, end_, body_pairs_) + detector_.statistics().memory_bytes;
 }
 
 }  // namespace tamis

@@ -23,6 +23,8 @@ class Gathered {
   /// Does each body have the same kind of motion as when this was made?
   bool keeps_motion_kinds(const BodyList& bodies) const;
   const NearItems& items() const { return items_; }
+  /// Those of items().pairs, for the vertices of the gathered mesh.
+  const BodyPairs& body_pairs() const { return body_pairs_; }
 
   /// All vertices at t=0 and at t=1, in doubles. Valid until the next call.
   Step step(const BodyList& bodies);
@@ -51,6 +53,7 @@ class Gathered {
   void to_own(std::span<Index> vertices) const {
     for (Index& v : vertices) v = vertices_[static_cast<std::size_t>(v)].own;
   }
+  BodyPairs make_body_pairs() const;
   Mesh make_mesh(const BodyList& bodies);
   PairFilter make_filter(const BodyList& bodies, MotionKind least, const std::set<BodyPair>& excluded_pairs) const;
   Detector make_detector(const BodyList& bodies, MotionKind least, const std::set<BodyPair>& excluded_pairs,
@@ -61,6 +64,7 @@ class Gathered {
   std::vector<Vertex> vertices_;          ///< by body, then own vertex, as contacts are ordered
   std::vector<Point> start_, end_;
   Detector detector_;
+  const BodyPairs body_pairs_;
 };
 
 }  // namespace tamis

@@ -17,6 +17,15 @@ QueryOptions of_steps(const QueryOptions& asked) {
   return options;
 }
 
+// The first contact of each pair of bodies, of a gathered mesh and of a body with itself.
+const std::vector<Contact>& firsts_of(auto& state, auto& motion, const QueryOptions& how, const Gathered& whose) {
+  return state->first_contacts(motion, how, whose.body_pairs());
+}
+std::vector<Contact> firsts_of(auto& state, auto& motion, const QueryOptions& how, BodyId) {
+  const EarliestContact first = state->earliest(motion, how);
+  return first.contact ? std::vector{*first.contact} : std::vector<Contact>();
+}
+
 }  // namespace
 
 template <class Ask, class... Of>
@@ -85,6 +94,18 @@ std::vector<BodyContact> World::contacts(const QueryOptions& asked) {
     return true;
   });
   put_in_order(all);
+  for (const BodyContact& c : all) State::check_start(c, c.toi_lower, asked);
+  return all;
+}
+
+std::vector<BodyContact> World::first_contacts(const QueryOptions& asked) {
+  const State::QuestionTurn now(*this);
+  std::vector<BodyContact> all;
+  now->for_each_moving(asked, 0, [&](auto& state, auto& motion, auto& how, auto& whose) {
+    add_named(all, firsts_of(state, motion, how, whose), whose);
+    return true;
+  });
+  std::ranges::sort(all, {}, [](const BodyContact& c) { return std::minmax(c.bodies[0], c.bodies[1]); });
   for (const BodyContact& c : all) State::check_start(c, c.toi_lower, asked);
   return all;
 }

@@ -69,6 +69,9 @@ static void what_is_answered(void) {
     EXPECT(contacts[i].bodies[0] != contacts[i].bodies[1] && contacts[i].toi_upper - contacts[i].toi_lower <= 1e-9);
     first = fmin(first, contacts[i].toi_lower);
   }
+  EXPECT(tamis_world_first_contacts(world, NULL, &count) == TAMIS_OK && count == 1);
+  EXPECT(tamis_world_copy_contacts(world, 0, 1, contacts, sizeof contacts[0]) == TAMIS_OK);
+  EXPECT(contacts[0].toi_lower == first && contacts[0].bodies[0] == 1 && contacts[0].bodies[1] == 0);
   EXPECT(tamis_world_earliest(world, NULL, &lower, &upper, &count) == TAMIS_OK && count == 1);
   EXPECT(lower == first && fabs(lower - 1.0 / 3) < 1e-6 && lower <= upper);
   EXPECT(tamis_world_copy_contacts(world, 0, 1, contacts, sizeof contacts[0]) == TAMIS_OK);

@@ -56,6 +56,14 @@ TEST_F(BodiesVerb, ExampleOfTheDocsFindsTheRodThatSwingsThroughTheWall) {
       << text;
 }
 
+TEST_F(BodiesVerb, FirstContactsAreOneForEachPairOfBodies) {
+  const std::string example = bytes_of_file(TAMIS_BODIES_EXAMPLE);
+  const auto all = ask(example).json()["steps"][1], first = ask(example, "--first --json").json()["steps"][1];
+  EXPECT_GT(all["contacts"]["vf"].get<int>() + all["contacts"]["ee"].get<int>(), 1);
+  EXPECT_EQ(first["contacts"]["vf"].get<int>() + first["contacts"]["ee"].get<int>(), 1);
+  EXPECT_EQ(first["contact"], all["contact"]);
+}
+
 // Bug: the shorter turn and a linear rotation vector are exchanged: by the linear one the rod turns once around.
 TEST_F(BodiesVerb, TurnsAreThoseThatTheFileNames) {
   std::string scene = bytes_of_file(TAMIS_BODIES_EXAMPLE);

@@ -83,12 +83,37 @@ TEST_F(Collectors, EarliestKnowsWhatOtherThreadsFound) {
 TEST_F(Collectors, NothingBehindAPairThatTouchesAtTheStart) {
   ask(Question::earliest);
   add(one, kResting);
-  EXPECT_TRUE(one.touches_at_start());
+  EXPECT_TRUE(one.is_choosy());
   EXPECT_TRUE(one.wants(kKind, kEarly)) << "an equal time would come first in the order of contacts";
   EXPECT_FALSE(one.wants(PairKind::edge_edge));
   EXPECT_TRUE(other.wants(PairKind::edge_edge));
   other.learn(one);
   EXPECT_FALSE(other.wants(PairKind::edge_edge));
+}
+
+/// Vertices 0 and 2 are one body, vertex 1 is another, the face a third.
+TEST_F(Collectors, EachPairOfBodiesHasItsOwnFirstContact) {
+  const BodyPairs bodies(3, {0, 1, 0, 2, 2, 2}, {{0, 2}, {1, 2}});
+  ask(Question::earliest);
+  query->each_of = &bodies;
+  query->depends_on_pair_alone = true;
+  bound.begin(1, query->answers());
+  one.begin(*query, bound);
+  other.begin(*query, bound);
+  add(one, kEarly);
+  EXPECT_FALSE(other.wants(kKind, {0, 3, 4, 5}, 0.3));
+  EXPECT_TRUE(other.wants(kKind, kLate, 0.3)) << "another body may touch later";
+  EXPECT_FALSE(other.wants(kKind, {0, 1, 4, 5})) << "a pair of bodies that is not asked about";
+  add(other, kLate);
+  add(other, kResting);
+  one.take(other);
+  const std::vector<Contact> firsts = one.firsts();
+  ASSERT_EQ(firsts.size(), 2u);
+  EXPECT_EQ(firsts[0].vertices, kResting);
+  EXPECT_EQ(firsts[1].vertices, kLate);
+  EXPECT_LT(bound.latest(0), 1e-9);
+  EXPECT_LT(bound.latest(1), 0.5001);
+  EXPECT_EQ(bound.latest(), bound.latest(1));
 }
 
 TEST_F(Collectors, OneContactSettlesIsFree) {

@@ -49,6 +49,8 @@ class Simulated {
     btRigidBody::btRigidBodyConstructionInfo info(body.mass, nullptr, body.shape.get(), inertia);
     info.m_startWorldTransform = body.place;
     btRigidBody& added = *bodies_.emplace_back(std::make_unique<btRigidBody>(info));
+    added.setLinearFactor(body.goes);
+    added.setAngularFactor(body.turns);
     added.setLinearVelocity(body.velocity);
     added.setAngularVelocity(body.spin);
     parts_.world->addRigidBody(&added);

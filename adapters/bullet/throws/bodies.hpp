@@ -13,6 +13,7 @@ struct Body {
   btScalar mass;  ///< 0: it stands
   btTransform place;
   btVector3 velocity{0, 0, 0}, spin{0, 0, 0};
+  btVector3 goes{1, 1, 1}, turns{1, 1, 1};  ///< Bullet's linear and angular factors: 0 along an axis where it may not
 };
 
 enum class Sleep { as_bullet, never, from_the_start };

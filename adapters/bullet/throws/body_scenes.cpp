@@ -93,9 +93,14 @@ BodyScene drop_of_a_box(unsigned seed) {
   return {{floor_of(50), {box_shape(btVector3(0.3F, 0.2F, 0.4F) * size), 1, place, velocity, random.vector(5)}}};
 }
 
-BodyScene mixed_bodies(unsigned seed) {
+BodyScene pit(btScalar half_side) {
   BodyScene scene{{floor_of(5)}};
-  add_walls(1, 10, scene);
+  add_walls(half_side, 10, scene);
+  return scene;
+}
+
+BodyScene mixed_bodies(unsigned seed) {
+  BodyScene scene = pit(1);
   Random random(seed);
   for (int i = 0; i < 30; ++i) {
     const btVector3 position =

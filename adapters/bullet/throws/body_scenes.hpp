@@ -12,6 +12,8 @@ std::size_t plates_inside(const BodyRun& run);
 
 /// A turned box of one of three sizes falls on a floor, at 2 to 40 m/s. Each seed has its own.
 BodyScene drop_of_a_box(unsigned seed);
+/// A floor with four walls around a square of 2 * half_side.
+BodyScene pit(btScalar half_side);
 /// Thirty bodies, boxes, hulls, plates, rods and compounds, are thrown into a pit of 2 x 2 m.
 BodyScene mixed_bodies(unsigned seed);
 /// side^3 boxes, 0.2 m wide, begin exactly beside and on each other, on a floor.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "adapters/bullet/throws/body_scenes.hpp"
+#include "adapters/bullet/throws/fine_scenes.hpp"
 #include "adapters/bullet/throws/report.hpp"
 
 namespace tamis::bullet {
@@ -24,7 +25,8 @@ constexpr Measure kAboveFloor{"ends above, mm", [](const BodyRun& run) { return 
 /// Where the numbers of the command line go.
 struct Asked {
   int throws = 40, samples = 16, steps = 60;
-  int pile = 0, drops = 0, mixed = 0, blocks = 0, stacks = 0, row = 0, cloth = 0;
+  int pile = 0, drops = 0, mixed = 0, blocks = 0, stacks = 0, row = 0, rough = 0, cloth = 0;
+  bool gears = false;
   double drop = 0.0015, peg = 0;
   std::string out;
 };
@@ -59,6 +61,10 @@ void report(const Asked& asked) {
     bodies(fmt::format("A row of {} free cubes", asked.row), {row_of_cubes(asked.row)}, {kBefore, kAfter});
   } else if (asked.peg > 0) {
     bodies(fmt::format("A peg with {} mm on each side", asked.peg), {peg_in_tube(asked.peg / 1e3)}, {kAboveFloor});
+  } else if (asked.rough > 0) {
+    bodies(fmt::format("Four rough balls of {} triangles", asked.rough), {rough_balls(asked.rough)}, {kHang, kOverlap});
+  } else if (asked.gears) {
+    bodies("Two gears of 1,120 and 1,920 triangles", {gears()}, {kHang, kOverlap});
   } else if (asked.cloth > 0) {
     report_cloth(asked.cloth, asked.steps, asked.out);
   } else {
@@ -88,6 +94,9 @@ void add_options(CLI::App& app, Asked& asked) {
   scene->add_option("--row", asked.row, "so many free cubes in a row, hit by the first")->check(CLI::Range(2, 1000));
   scene->add_option("--peg", asked.peg, "a peg in a tube, with so many millimetres on each side")
       ->check(CLI::Range(0.01, 100.0));
+  scene->add_option("--rough", asked.rough, "four rough balls in a pit, of about so many triangles each")
+      ->check(CLI::Range(48, 1000000));
+  scene->add_flag("--gears", asked.gears, "a gear of 1,120 triangles that drives one of 1,920");
   scene->add_option("--cloth", asked.cloth, "a cloth of so many vertices a side")->check(CLI::Range(2, 1000));
   app.add_option("--drop", asked.drop, "how far each plate of the pile is above the next at first, in metres")
       ->check(CLI::Range(1e-4, 100.0))

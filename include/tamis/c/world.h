@@ -101,6 +101,11 @@ typedef struct tamis_query_options {
 /** All contacts, sorted by kind, then bodies and vertices. Writes their number; tamis_world_copy_contacts() copies
  * them. `options` NULL: the defaults, for this and all other questions. */
 TAMIS_API tamis_status tamis_world_contacts(tamis_world* world, const tamis_query_options* options, size_t* count);
+/** The first contact of each pair of bodies that touches, and of each deforming body with itself: of all contacts of
+ * the pair the one with the least toi_lower, and of several such the first by kind, then bodies and vertices. Sorted by
+ * the smaller body, then the greater one. Writes their number; tamis_world_copy_contacts() copies them. */
+TAMIS_API tamis_status tamis_world_first_contacts(tamis_world* world, const tamis_query_options* options,
+                                                  size_t* count);
 /** As tamis_detector_earliest. */
 TAMIS_API tamis_status tamis_world_earliest(tamis_world* world, const tamis_query_options* options, double* toi_lower,
                                             double* toi_upper, size_t* count);

@@ -66,6 +66,9 @@ class Bodies {
   nb::object contacts(const QueryOptions& q) {
     return own_bytes(asker_.answer([&] { return world_.contacts(q); }));
   }
+  nb::object first_contacts(const QueryOptions& q) {
+    return own_bytes(asker_.answer([&] { return world_.first_contacts(q); }));
+  }
   nb::tuple earliest(const QueryOptions& q) {
     return earliest_tuple(asker_.answer([&] { return world_.earliest(q); }));
   }
@@ -139,6 +142,7 @@ void bind_world(nb::module_& module) {
       .def("set_may_touch", &Bodies::set_may_touch)
       .def("points_at", &Bodies::points_at)
       .def("contacts", &Bodies::contacts)
+      .def("first_contacts", &Bodies::first_contacts)
       .def("earliest", &Bodies::earliest)
       .def("earliest_many", &Bodies::earliest_many)
       .def("is_free", &Bodies::is_free)

@@ -60,6 +60,37 @@ class Questions:
         """
         return BodyContacts(self._world.contacts(query_options(min_separation, at_start, tolerance)))
 
+    def first_contacts(
+        self,
+        *,
+        min_separation: float | None = None,
+        at_start: AtStart = "report",
+        tolerance: float | None = None,
+    ) -> BodyContacts:
+        """Find the first contact of each pair of bodies, and of each deforming body with itself.
+
+        Costs about as much as `earliest` where the same bodies meet, not as much as their contacts.
+
+        Parameters
+        ----------
+        min_separation, at_start, tolerance
+            As in `contacts`.
+
+        Returns
+        -------
+        BodyContacts
+            One for each pair that touches, sorted by the smaller body, then the greater one. It is the contact of the
+            pair with the least `toi_lower`; of several such the first by kind, then bodies and vertices.
+
+        Raises
+        ------
+        InvalidOptions
+            An option outside its range.
+        InvalidStep
+            With ``at_start="fail"``, if a pair touches at t=0.
+        """
+        return BodyContacts(self._world.first_contacts(query_options(min_separation, at_start, tolerance)))
+
     def earliest(
         self,
         *,

@@ -156,6 +156,11 @@ extern "C" {
         options: *const tamis_query_options,
         count: *mut usize,
     ) -> c_int;
+    pub fn tamis_world_first_contacts(
+        world: *mut tamis_world,
+        options: *const tamis_query_options,
+        count: *mut usize,
+    ) -> c_int;
     pub fn tamis_world_earliest(
         world: *mut tamis_world,
         options: *const tamis_query_options,

@@ -130,6 +130,16 @@ impl World {
         self.copied(count, sys::tamis_world_copy_contacts)
     }
 
+    /// The first contact of each pair of bodies that touches, and of each deforming body with itself, sorted by the
+    /// smaller body, then the greater one.
+    pub fn first_contacts(&mut self, query: &Query) -> Result<Vec<Contact>, Error> {
+        let mut count = 0;
+        // SAFETY: pointers to locals.
+        let status = unsafe { sys::tamis_world_first_contacts(self.handle, &options_of(query), &mut count) };
+        self.checked(status)?;
+        self.copied(count, sys::tamis_world_copy_contacts)
+    }
+
     /// The first contact: how far all bodies may go.
     pub fn earliest(&mut self, query: &Query) -> Result<Earliest, Error> {
         let (mut lower, mut upper, mut count) = (0.0, 0.0, 0);

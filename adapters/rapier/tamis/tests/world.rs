@@ -28,6 +28,7 @@ fn what_falls_touches_half_way() {
     assert!((earliest.lower - 0.5).abs() < 1e-9 && (earliest.upper - 0.5).abs() < 1e-9);
     let contacts = world.contacts(&Query::default()).unwrap();
     assert!(contacts.contains(&earliest.contact.unwrap()));
+    assert_eq!(world.first_contacts(&Query::default()).unwrap(), [earliest.contact.unwrap()]);
     assert!(contacts.iter().all(|c| c.bodies.contains(&body) && c.certainty == 0));
     assert!(!world.is_free(&Query::default()).unwrap());
     let near = Query { min_separation: Some(0.5), ..Query::default() };

@@ -47,6 +47,7 @@ double Carriers::Contact::push() {
 }
 
 void Carriers::rub(Body& body, Body& other, Contact& contact) {
+  if (!(contact.friction * contact.impulse > contact.rubbed)) return;
   const std::size_t side = contact.side;
   const std::array points{contact.near->points[side], contact.near->points[1 - side]};
   const auto speed_at = [](const Body& one, const Point& at) {
@@ -55,7 +56,7 @@ void Carriers::rub(Body& body, Body& other, Contact& contact) {
   const Point speed = minus(speed_at(body, points[0]), speed_at(other, points[1])), normal = contact.body.direction;
   const Point sliding = minus(speed, times(dot(speed, normal), normal));
   const double fast = length(sliding), most = contact.friction * contact.impulse - contact.rubbed;
-  if (!(fast > 0) || !(most > 0)) return;
+  if (!(fast > 0)) return;
   const Point along = times(1 / fast, sliding);
   const Answer first = answer(body.inertia, body.centre, body.velocity, points[0], along);
   const Answer second = answer(other.inertia, other.centre, other.velocity, points[1], along);

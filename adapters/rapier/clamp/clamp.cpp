@@ -47,8 +47,7 @@ class Wanted final : public adapters::WantedStep {
     step_.inertia(step_.user, body, &inertia);
     adapters::Inertia result;
     std::ranges::copy(inertia.inverse_mass, result.inverse_mass.begin());
-    for (std::size_t i = 0; i < 3; ++i)
-      std::ranges::copy(inertia.inverse_inertia[i], result.inverse_inertia[i].begin());
+    for (std::size_t i = 0; i < 9; ++i) result.inverse_inertia[i / 3][i % 3] = inertia.inverse_inertia[i];
     return result;
   }
   double friction(const adapters::BodyPair& bodies) const override {

@@ -10,7 +10,7 @@ extern "C" {
 /** As tamis::adapters::Inertia: how a body answers impulses. All zero: it does not. */
 typedef struct tamis_inertia {
   double inverse_mass[3];
-  double inverse_inertia[3][3];
+  double inverse_inertia[9]; /**< row by row */
 } tamis_inertia;
 
 typedef struct tamis_velocity {

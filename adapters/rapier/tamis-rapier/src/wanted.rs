@@ -78,11 +78,11 @@ impl WantedStep for Wanted<'_> {
     fn inertia(&self, body: BodyId) -> Inertia {
         let Some(body) = self.body(body) else { return Inertia::default() };
         let properties = &body.mass_properties();
-        let row = |axis: Vector| double(properties.effective_world_inv_inertia * axis).to_array();
-        Inertia {
-            inverse_mass: double(properties.effective_inv_mass).to_array(),
-            inverse_inertia: [row(Vector::X), row(Vector::Y), row(Vector::Z)],
+        let mut inverse_inertia = [0.0; 9];
+        for (row, axis) in inverse_inertia.chunks_mut(3).zip([Vector::X, Vector::Y, Vector::Z]) {
+            row.copy_from_slice(&double(properties.effective_world_inv_inertia * axis).to_array());
         }
+        Inertia { inverse_mass: double(properties.effective_inv_mass).to_array(), inverse_inertia }
     }
 
     /// Of bodies with several colliders that of the roughest two.

@@ -16,8 +16,8 @@ use std::ptr::null;
 pub struct Inertia {
     /// Along each axis of the world.
     pub inverse_mass: [f64; 3],
-    /// In the world's axes.
-    pub inverse_inertia: [[f64; 3]; 3],
+    /// In the world's axes, row by row.
+    pub inverse_inertia: [f64; 9],
 }
 
 /// In the unit of the positions, and radians, a second.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "adapters/carriers.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::adapters {
@@ -19,27 +20,117 @@ constexpr double kLeastTravel = 1e-3;
 /// distance from the origin, which at 800 units is this part of a gap of 1e-3. Farther from the origin bodies stay more
 /// often; none passes through another.
 constexpr double kLeastDistance = 0.05;
+/// In radians: a body that turns by more than this comes to another place than its velocity says, and stands for
+/// nothing if it is held back there.
+constexpr double kSmallTurn = 0.3;
+/// Rounds over the places where bodies met: each may bring bodies nearer at another one.
+constexpr int kStopRounds = 10;
+/// A body that goes less than this part of its way keeps so much of its speed: if it kept all, gravity would add to it
+/// in each step, and where nothing else stops it it would hang there for ever. A slow body, which goes less than kSlow
+/// gaps in a step, must go less: it may be about to tip over.
+constexpr double kStands = 0.01, kStandsSlow = 1e-3, kKeptSpeed = 0.5, kSlow = 10;
+/// In gaps: bodies that were apart, and are farther apart than this by all pairs of features, are apart: the start of a
+/// step differs from the end of the last one by some 1e-15.
+constexpr double kToldApart = 1e-6;
 /// In steps: the precision that suffices for the time of a contact, and for the part of its way that a body may go.
 constexpr double kTolerance = 1e-4;
 /// Sweeps over all approaches; more sweeps would only save questions.
 constexpr int kMostSweeps = 32;
 
-bool collide_at(const WantedStep& step, const std::array<BodyId, 2>& bodies, const std::array<Index, 2>& vertices) {
-  return step.collides(pair_of(bodies)) && step.collides_at(bodies, vertices);
+bool collide_at(const Bodies& engine, const std::array<BodyId, 2>& bodies, const std::array<Index, 2>& vertices) {
+  return engine.collides(pair_of(bodies)) && engine.collides_at(bodies, vertices);
 }
 
-double length(const Point& v) { return std::hypot(v[0], v[1], v[2]); }
+/// A place at which two bodies are near each other when a step begins.
+struct Approach {
+  BodyPair bodies;
+  double distance;                ///< > 0
+  std::array<double, 2> closing;  ///< by how much each body's whole way reduces the distance; 0 for a body that stays
+};
+
+/// How a body's whole way moves its points.
+class WholeWay {
+ public:
+  WholeWay(const WantedStep& step, BodyId body)
+      : start_(step.pose(body, 0)),
+        end_(step.pose(body, 1)),
+        from_(rotation_matrix(start_.rotation)),
+        to_(rotation_matrix(end_.rotation)) {}
+
+  /// True if points go nearly straight.
+  bool is_nearly_straight() const {
+    double trace = 0;  // of the turn's matrix: 1 + 2 cos(angle)
+    for (std::size_t i = 0; i < 3; ++i) trace += dot(from_[i], to_[i]);
+    return trace > 1 + 2 * std::cos(kSmallTurn);
+  }
+  Point of(const Point& p) const {
+    const Point local = times_transposed(from_, minus(p, start_.position));
+    return minus(plus(times(to_, local), end_.position), p);
+  }
+
+ private:
+  Pose start_, end_;
+  Matrix from_, to_;
+};
+
+/// Where bodies are near each other. With these a body that follows one that is held back is held back with it; without
+/// them a pile would take a question for each of its bodies. No proof rests on them.
+std::vector<Approach> approaches(const Near& near, const WantedStep& step) {
+  std::map<BodyId, WholeWay> ways;
+  for (const BodyId body : step.moving()) ways.emplace(body, WholeWay(step, body));
+  const auto turns = [&](BodyId body) {
+    const auto way = ways.find(body);
+    return way != ways.end() && !way->second.is_nearly_straight();
+  };
+  std::vector<Approach> all;
+  for (const auto& [bodies, found] : near)
+    for (const NearContact& contact : found.contacts) {
+      if (!(contact.distance() > 0) || turns(bodies[0]) || turns(bodies[1])) continue;
+      Approach& approach = all.emplace_back(Approach{bodies, contact.distance(), {0, 0}});
+      for (const std::size_t k : {0U, 1U})
+        if (const auto way = ways.find(bodies[k]); way != ways.end()) {
+          const double parting = dot(way->second.of(contact.points[k]), contact.normal);
+          approach.closing[k] = k == 0 ? -parting : parting;
+        }
+    }
+  return all;
+}
+
+/// Takes speeds (the first part of the policy). Returns the velocities with which the next step begins.
+Velocities take_speeds(WantedStep& step, const Near& near, double gap) {
+  Velocities kept, ways;
+  for (const BodyId body : step.moving()) {
+    kept[body] = step.velocity(body);
+    ways[body] = step.way(body);
+  }
+  if (near.empty()) return kept;
+  Carriers carriers(near, step, step.carried_at() * gap);
+  const bool are_same = kept == ways;
+  carriers.take_speed(kept);
+  if (are_same)
+    ways = kept;
+  else
+    carriers.take_speed(ways);
+  carriers.part(ways);
+  for (const auto& [body, way] : ways)
+    if (!(way == step.way(body))) step.set_way(body, way);
+  return kept;
+}
 
 class Clamp {
  public:
-  Clamp(World& world, const WantedStep& step, const std::set<BodyPair>& overlapping, const ClampOptions& options)
-      : world_(world), step_(step), overlapping_(overlapping), options_(options) {
+  Clamp(World& world, WantedStep& step, const Beginning& beginning, const ClampOptions& options)
+      : world_(world),
+        step_(step),
+        beginning_(beginning),
+        options_(options),
+        velocities_(take_speeds(step, beginning.near, options.gap)) {
     for (const BodyId body : step.moving()) fractions_[body] = 1;
     const auto fraction = [&](BodyId body) {
       const auto known = fractions_.find(body);
       return known == fractions_.end() ? nullptr : &known->second;
     };
-    for (const Approach& approach : step.approaches())
+    for (const Approach& approach : approaches(beginning.near, step))
       approaches_.push_back({approach, {fraction(approach.bodies[0]), fraction(approach.bodies[1])}});
   }
 
@@ -50,11 +141,15 @@ class Clamp {
     for (bool is_free = false; !is_free;) {
       ++result.questions;
       const FirstContacts contacts = first_contacts();
-      for (const auto& [bodies, contact] : contacts) result.limits.push_back(contact);
+      for (const auto& [bodies, contact] : contacts) {
+        result.limits.push_back(contact);
+        if (beginning_.near.contains(bodies)) hits_.push_back(contact_at(world_, step_, contact, contact.toi_lower));
+      }
       hold_back(contacts, result.questions <= options_.rounds);
       is_free = contacts.empty();
     }
-    for (const BodyId body : step_.moving()) result.fractions.push_back(fractions_.at(body));
+    stop_hits();
+    for (const BodyId body : step_.moving()) result.ends.push_back(end_of(body));
     return result;
   }
 
@@ -113,7 +208,9 @@ class Clamp {
 
   using FirstContacts = std::map<BodyPair, BodyContact>;
 
-  bool may_collide(const BodyPair& bodies) const { return !overlapping_.contains(bodies) && step_.collides(bodies); }
+  bool may_collide(const BodyPair& bodies) const {
+    return !beginning_.overlapping.contains(bodies) && step_.collides(bodies);
+  }
   bool collides_at(const BodyContact& contact) const {
     const Index second = contact.vertices[contact.kind == PairKind::edge_edge ? 2 : 1];
     return step_.collides_at(contact.bodies, {contact.vertices[0], second});
@@ -165,9 +262,8 @@ class Clamp {
   }
 
   bool starts_too_near(const BodyPair& bodies) const {
-    return std::ranges::any_of(approaches_, [&](const Approach& approach) {
-      return approach.bodies == bodies && approach.distance < kLeastDistance * options_.gap;
-    });
+    const auto known = beginning_.near.find(bodies);
+    return known != beginning_.near.end() && known->second.distance < kLeastDistance * options_.gap;
   }
 
   /// The part of its way that each of two bodies may go if they touch at `time`.
@@ -180,20 +276,39 @@ class Clamp {
     return std::max(time - options_.gap / travel, time / 2);
   }
 
+  /// Bodies that met may meet at another of their near places next.
+  void stop_hits() {
+    std::set<BodyPair> met;
+    for (const NearContact& hit : hits_) met.insert(hit.bodies);
+    for (const BodyPair& bodies : met) {
+      const std::vector<NearContact>& near = beginning_.near.at(bodies).contacts;
+      hits_.insert(hits_.end(), near.begin(), near.end());
+    }
+    for (int round = 0; round < kStopRounds; ++round)
+      for (const NearContact& hit : hits_) Carriers::stop(hit, step_, velocities_);
+  }
+
+  BodyEnd end_of(BodyId body) const {
+    BodyEnd end{fractions_.at(body), velocities_.at(body)};
+    const auto& [linear, angular] = end.velocity;
+    const double way = step_.seconds() * (length(linear) + step_.radius(body) * length(angular));
+    if (end.fraction < (way < kSlow * options_.gap ? kStandsSlow : kStands))
+      end.velocity = {times(kKeptSpeed, linear), times(kKeptSpeed, angular)};
+    return end;
+  }
+
   World& world_;
-  const WantedStep& step_;
-  const std::set<BodyPair>& overlapping_;
+  WantedStep& step_;
+  const Beginning& beginning_;
   const ClampOptions& options_;
+  Velocities velocities_;  ///< with which the next step begins
   std::map<BodyId, double> fractions_;
   std::vector<KnownApproach> approaches_;
   std::map<BodyId, double> travels_;  ///< for each body of moving(), a bound of how far any of its points goes
+  std::vector<NearContact> hits_;     ///< where bodies met that the engine's solver could see
 };
 
 }  // namespace
-
-BodyPair pair_of(const std::array<BodyId, 2>& bodies) {
-  return {std::min(bodies[0], bodies[1]), std::max(bodies[0], bodies[1])};
-}
 
 BodyMotion resting(const Pose& pose) { return Rigid{Chain{{pose, pose}}}; }
 
@@ -203,11 +318,21 @@ std::set<BodyPair> overlapping(World& world) {
   return pairs;
 }
 
-std::set<BodyPair> overlapping(World& world, const WantedStep& step) {
+std::set<BodyPair> overlapping(World& world, const Bodies& bodies) {
   std::set<BodyPair> pairs;
   for (const BodyIntersection& place : world.intersections())
-    if (collide_at(step, place.bodies, {place.edge[0], place.face[0]})) pairs.insert(pair_of(place.bodies));
+    if (collide_at(bodies, place.bodies, {place.edge[0], place.face[0]})) pairs.insert(pair_of(place.bodies));
   return pairs;
+}
+
+Beginning beginning(World& world, const Bodies& bodies, const ClampOptions& options, bool are_apart) {
+  validate(options);
+  Beginning now{{}, near_bodies(world, bodies, 2 * options.gap)};
+  const auto is_told = [&](const auto& pair) { return pair.second.distance > kToldApart * options.gap; };
+  if (are_apart && std::ranges::all_of(now.near, is_told)) return now;
+  now.overlapping = overlapping(world, bodies);
+  for (const BodyPair& bodies_of_one : now.overlapping) now.near.erase(bodies_of_one);
+  return now;
 }
 
 void validate(const ClampOptions& options) {
@@ -216,13 +341,14 @@ void validate(const ClampOptions& options) {
   if (options.rounds < 0) throw InvalidOptions("rounds is " + std::to_string(options.rounds) + ": give a number >= 0");
 }
 
-ClampedStep clamp(World& world, const WantedStep& step, const std::set<BodyPair>& overlapping,
-                  const ClampOptions& options) {
+ClampedStep clamp(World& world, WantedStep& step, const Beginning& beginning, const ClampOptions& options) {
   validate(options);
+  if (!(step.seconds() > 0) || std::isinf(step.seconds()))
+    throw InvalidOptions("a step takes " + std::to_string(step.seconds()) + " seconds: give a finite time above 0");
   std::vector<std::pair<BodyId, BodyMotion>> before;
   for (const BodyId body : step.moving()) before.emplace_back(body, world.motion(body));
   try {
-    return Clamp(world, step, overlapping, options).run();
+    return Clamp(world, step, beginning, options).run();
   } catch (...) {
     for (auto& [body, motion] : before) world.move(body, std::move(motion));
     throw;

@@ -2,49 +2,11 @@
 // pass through each other. This file knows no engine; adapters/bullet shows what an engine must provide.
 #pragma once
 #include <set>
-#include <span>
 #include <vector>
 
-#include "tamis/world.hpp"
+#include "adapters/near_contacts.hpp"
 
 namespace tamis::adapters {
-
-/// Two bodies, the smaller first.
-using BodyPair = std::array<BodyId, 2>;
-BodyPair pair_of(const std::array<BodyId, 2>& bodies);
-
-/// A place at which two bodies are near each other when a step begins.
-struct Approach {
-  BodyPair bodies;
-  double distance;                ///< > 0
-  std::array<double, 2> closing;  ///< by how much each body's whole way reduces the distance; 0 for a body that stays
-};
-
-/// A step that an engine wants to make. The proof is about each body's way from pose(body, 0) to its final pose: the
-/// origin goes straight, and the body turns the shorter way about a fixed axis (`between`).
-class WantedStep {
- public:
-  virtual ~WantedStep() = default;
-
-  /// Bodies that are to move and may be held back, each once. All others stay where World::move has put them.
-  virtual std::span<const BodyId> moving() const = 0;
-  /// The pose of a body after `fraction` of its way, in [0, 1], rounded as the engine will keep it: so the proof is
-  /// about what the engine does. At 0 the body is where it is now; at 1 it has turned by less than half a turn.
-  virtual Pose pose(BodyId body, double fraction) const = 0;
-  /// The largest distance of a body's points from its origin, or a bound of it; for all bodies.
-  virtual double radius(BodyId body) const = 0;
-  /// Does the engine collide these two bodies?
-  virtual bool collides(const BodyPair& bodies) const = 0;
-  /// Does the engine collide two bodies, for which `collides` is true, at these features? For bodies of several parts
-  /// that collide with different things. `vertices`: for each body a vertex of its feature.
-  virtual bool collides_at(const std::array<BodyId, 2>& /*bodies*/, const std::array<Index, 2>& /*vertices*/) const {
-    return true;
-  }
-  /// Where bodies are known to be near each other. With these a body that follows one that is held back is held back
-  /// with it; without them a pile takes a question for each of its bodies. Any approach may be left out, and none need
-  /// be exact: no proof rests on them.
-  virtual std::vector<Approach> approaches() const { return {}; }
-};
 
 struct ClampOptions {
   /// > 0, in the unit of the positions: how far before a contact a body is stopped. The engine must see a contact when
@@ -59,9 +21,14 @@ struct ClampOptions {
 /// Throws InvalidOptions where an option is out of its range.
 void validate(const ClampOptions& options);
 
+/// What a body does in a clamped step.
+struct BodyEnd {
+  double fraction;    ///< the part of its way that it may go, in [0, 1]
+  Velocity velocity;  ///< with which it begins the next step
+};
+
 struct ClampedStep {
-  /// For each body of moving() the fraction of its way that it may go, in [0, 1].
-  std::vector<double> fractions;
+  std::vector<BodyEnd> ends;  ///< one for each body of moving()
   /// How many questions were asked; 1 if no body is held back.
   int questions = 0;
   /// The contacts that held bodies back: for each question and pair of bodies the first one. Its times are fractions of
@@ -76,16 +43,33 @@ BodyMotion resting(const Pose& pose);
 /// Pairs of bodies whose surfaces pass through each other at t=0; not of two Static bodies.
 std::set<BodyPair> overlapping(World& world);
 /// The same; only pairs that the engine collides where they pass through each other.
-std::set<BodyPair> overlapping(World& world, const WantedStep& step);
+std::set<BodyPair> overlapping(World& world, const Bodies& bodies);
 
-/// Shortens the ways of bodies so that no pair of bodies touches at any time. Excepted are the pairs in `overlapping`,
-/// which the engine has to part and which are not held back because of each other, and features that touch at t=0
-/// already (AtStart::ignore). If a pair touches later, both bodies are held back by the same part, to about `gap`
-/// before the contact; a pair that starts nearer than that may come half as near. Then the question is asked again, as
-/// bodies that move less meet others elsewhere. Bodies far from any contact go all their way. Leaves `world` with the
-/// proven motions, after an exception with those of before. Throws InvalidOptions if an option is out of its range, and
-/// what World throws.
-ClampedStep clamp(World& world, const WantedStep& step, const std::set<BodyPair>& overlapping,
-                  const ClampOptions& options = {});
+/// How bodies are to each other when a step begins.
+struct Beginning {
+  std::set<BodyPair> overlapping;
+  Near near;  ///< within two gaps
+};
+/// Where the world's motions begin. `are_apart`: the last step ended here, and was proven for all pairs: then only
+/// bodies that are too near to tell may overlap.
+Beginning beginning(World& world, const Bodies& bodies, const ClampOptions& options = {}, bool are_apart = false);
+
+/// The policy for all engines. Throws InvalidOptions if an option is out of its range, and what World throws.
+///
+/// 1. Bodies that lie on others (Carriers) lose the speed by which they would come nearer than a gap, and are moved
+///    apart where they are nearer. So bodies come to rest whether or not the engine's solver sees their contacts.
+/// 2. Ways are shortened until no pair of bodies touches at any time. Excepted are the pairs in `overlapping`, which
+/// the
+///    engine has to part, and features that touch at t=0 already (AtStart::ignore). If a pair touches later, both
+///    bodies are held back by the same part, to about `gap` before the contact; a pair that starts nearer than that may
+///    come half as near. Then the question is asked again, as bodies that move less meet others elsewhere. Bodies far
+///    from any contact go all their way.
+/// 3. Two bodies that were within two gaps when the step began, so that the engine's solver could see them, and that
+///    were held back because of each other, lose the speed with which they meet. A body that goes next to nothing of
+///    its way loses half of its speed.
+///
+/// Leaves `world` with the proven motions, after an exception with those of before.
+[[nodiscard]] ClampedStep clamp(World& world, WantedStep& step, const Beginning& beginning,
+                                const ClampOptions& options = {});
 
 }  // namespace tamis::adapters

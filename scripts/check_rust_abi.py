@@ -19,6 +19,7 @@ IN_RUST = {
     **{"char": "c_char", "void": "c_void"},
     **{"tamis_pose": "Pose", "tamis_link": "Link", "tamis_contact": "Contact"},
     **{"tamis_near_pair": "NearPair", "tamis_intersection": "Intersection"},
+    **{"tamis_body_end": "End", "tamis_velocity": "Velocity", "tamis_inertia": "Inertia"},
 }
 
 # Numbers that are written in C or C++ and again in Rust.

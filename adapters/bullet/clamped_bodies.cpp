@@ -9,6 +9,10 @@
 
 namespace tamis::bullet {
 
+ClampedWorld::Surface::Surface(const Shape& shape) : mesh(shape), radius(0) {
+  for (const Point& p : mesh.points()) radius = std::max(radius, adapters::length(p));
+}
+
 BodyMotion ClampedWorld::motion_at(const btCollisionObject& object, const Pose& pose) {
   return object.isStaticObject() || !object.isActive() ? BodyMotion(Static{pose}) : adapters::resting(pose);
 }
@@ -43,6 +47,7 @@ ClampedWorld::KnownShape ClampedWorld::known_of(const btCollisionObject& object)
 void ClampedWorld::join(btCollisionObject* object, const KnownShape& shape) {
   const btTransform& place = object->getWorldTransform();
   const Pose pose = pose_of(place);
+  are_apart_ = false;
   const BodyId id = bodies_.add(shape.surface->mesh, motion_at(*object, pose));
   members_.emplace(id, Member{object, shape, place, pose, object->isActive()});
 }
@@ -50,6 +55,7 @@ void ClampedWorld::join(btCollisionObject* object, const KnownShape& shape) {
 void ClampedWorld::leave(const btCollisionObject* object) {
   const auto found = std::ranges::find_if(members_, [&](const auto& entry) { return entry.second.object == object; });
   if (found == members_.end()) return;
+  are_apart_ = false;
   bodies_.remove(found->first);
   members_.erase(found);
 }
@@ -106,7 +112,9 @@ void ClampedWorld::follow() {
     if (shape != member.shape.shape || now->second != member.shape.traits) changed.push_back(member.object);
     const bool is_elsewhere = !(member.place == member.object->getWorldTransform());
     if (is_elsewhere) forget_limits_of(id);
-    if (is_elsewhere || member.is_active != member.object->isActive()) put(id, member);
+    if (!is_elsewhere && member.is_active == member.object->isActive()) continue;
+    are_apart_ = false;
+    put(id, member);
   }
   for (int i = 0; i < getNumCollisionObjects(); ++i) {
     btCollisionObject* const object = getCollisionObjectArray()[i];

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "adapters/bullet/near_contacts.hpp"
+#include "adapters/bullet/solver_contacts.hpp"
 #include "adapters/clamp.hpp"
 
 namespace tamis::bullet {
@@ -20,8 +20,8 @@ namespace tamis::bullet {
 /// Bullet's own narrow phase does not see every contact of meshes, and sees those of boxes only once they overlap;
 /// bodies would be held back for ever and gather speed. So two kinds of predictive contacts are added, at which the
 /// solver keeps bodies one gap apart: pairs within two gaps, and the contacts that held bodies back in the last step (a
-/// plate that spins on its edge comes down on another one). At the former, the speed that the solver leaves is taken
-/// from the bodies afterwards (Carriers). So bodies that lie on each other are held back only while they come near.
+/// plate that spins on its edge comes down on another one). The clamp takes the speed that the solver leaves. So bodies
+/// that lie on each other are held back only while they come near.
 class ClampedWorld : public btDiscreteDynamicsWorld {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -54,6 +54,13 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   void integrateTransforms(btScalar seconds) override;
 
  private:
+  /// The mesh that bodies of one shape share.
+  struct Surface {
+    explicit Surface(const Shape& shape);
+
+    Shape mesh;
+    double radius;  ///< the largest distance of its points from the origin
+  };
   /// A shape as it was when its mesh was made.
   struct KnownShape {
     const btCollisionShape* shape;
@@ -66,11 +73,6 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
     btTransform place;  ///< where `bodies_` has it
     Pose pose;          ///< the same
     bool is_active;     ///< as `bodies_` has it: a body that sleeps is Static there, and costs nothing
-  };
-  /// Two bodies within two gaps of each other.
-  struct NearBodies {
-    double distance;                    ///< also of pairs of features that push sideways
-    std::vector<NearContact> contacts;  ///< essential ones, where one body carries the other
   };
   class Way;
   class Step;
@@ -88,21 +90,18 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   /// Forgets what held the body back in the last step: it was moved from outside.
   void forget_limits_of(BodyId id);
   void follow();
-  bool collides(const adapters::BodyPair& bodies) const;
   /// The clamp leaves out contacts of bodies that overlap; where they lie flat on each other and turn, those are the
   /// dearest of all, so they are not asked about.
   void set_overlapping_may_touch(bool may_touch);
-  class Meeting;
-  Meeting meeting_of(const std::array<BodyId, 2>& bodies) const;
-  void find_near();
 
   adapters::ClampOptions options_;
   World bodies_;
   std::map<BodyId, Member> members_;
   std::map<const btCollisionShape*, KnownShape> given_;  ///< by set_mesh
-  std::set<adapters::BodyPair> overlapping_;
-  std::vector<BodyContact> limits_;                ///< of the last step
-  std::map<adapters::BodyPair, NearBodies> near_;  ///< when this step begins
+  adapters::Beginning beginning_;                        ///< of this step
+  std::vector<BodyContact> limits_;                      ///< of the last step
+  bool are_apart_ = false;                               ///< where the last step ended, and nothing has changed since
+  bool all_collide_ = true;                              ///< when this step begins, of all that are near or overlap
   LastStep last_step_;
 };
 

@@ -156,6 +156,24 @@ TEST(ClampedWorld, ShowsABodyOnItsProvenWay) {
   }
 }
 
+/// That overlaps are looked for again: two bodies that passed through each other unproven.
+TEST(ClampedWorld, SeesAnOverlapOfBodiesThatCollideFromNowOn) {
+  btBoxShape cube({1, 1, 1});
+  Simulation simulation;
+  simulation.world.setGravity({0, 0, 0});
+  btRigidBody& fixed = simulation.add(cube, 0, {0, 0, 0});
+  btRigidBody& body = simulation.add(cube, 1, {0.1F, 0.2F, 3});
+  body.setIgnoreCollisionCheck(&fixed, true);
+  body.setLinearVelocity({0, 0, -60});
+  simulation.run(2);
+  body.setLinearVelocity({0, 0, 0});
+  simulation.run(2);
+  EXPECT_EQ(simulation.world.last_step().overlapping, 0U);
+  body.setIgnoreCollisionCheck(&fixed, false);
+  simulation.run(1);
+  EXPECT_EQ(simulation.world.last_step().overlapping, 1U);
+}
+
 /// Bullet moves what was added as a body that moves, and nothing else.
 TEST(ClampedWorld, LeavesWhereItIsWhatBulletDoesNotMove) {
   btBoxShape cube({0.1F, 0.1F, 0.1F});

@@ -128,46 +128,6 @@ TEST_F(OverlappingBoxes, StopAtEachOtherOnceApart) {
   EXPECT_GT(body->getWorldTransform().getOrigin().z(), 2);
 }
 
-/// If it were more, each corner of a box would be a contact with five faces of the box below; if none, with no face.
-TEST(NearFeatures, AreToldByOneOfTheFacesAtTheirPoint) {
-  const Surface box(mesh_of(btBoxShape({1, 2, 3})));
-  for (const double second : {0.0, 0.25})  // at a vertex; on an edge
-    for (const std::vector<Face>& around : box.faces_at) {
-      const auto vertex = static_cast<Index>(&around - box.faces_at.data());
-      const Index other = around[0][around[0][0] == vertex ? 1 : 0];
-      int told = 0;
-      for (const Face& face : around) {
-        std::array<double, 3> weights{};
-        for (std::size_t i = 0; i < 3; ++i) weights[i] = face[i] == vertex ? 1 - second : face[i] == other ? second : 0;
-        if (second > 0 && std::ranges::find(face, other) == face.end()) continue;
-        const NearFeature feature(box, face, weights);
-        EXPECT_EQ(feature.is_vertex(), second == 0);
-        told += !feature.is_repeated();
-      }
-      EXPECT_EQ(told, 1) << vertex;
-    }
-}
-
-TEST(NearContacts, KeepTheCornersAndTheNearest) {
-  btCollisionObject below, above;
-  std::vector<NearContact> contacts;
-  for (int x = 0; x < 5; ++x)
-    for (int z = 0; z < 5; ++z) {
-      const btVector3 place(static_cast<btScalar>(x), 0, static_cast<btScalar>(z));
-      const btVector3 up(0, x == 2 && z == 1 ? 0.5F : 1.0F, 0);
-      contacts.push_back({{0, 1}, {{{&above, place + up}, {&below, place}}}, {0, 1, 0}});
-    }
-  std::vector<std::array<int, 2>> kept;
-  for (const NearContact& contact : essential(contacts))
-    kept.push_back({static_cast<int>(contact.sides[1].local.x()), static_cast<int>(contact.sides[1].local.z())});
-  EXPECT_EQ(std::ranges::count(kept, std::array{2, 1}), 1);
-  for (const int x : {0, 4})
-    for (const int z : {0, 4}) EXPECT_EQ(std::ranges::count(kept, std::array{x, z}), 1) << x << z;
-  EXPECT_LE(kept.size(), 9U);
-  contacts[12].normal = {1, 0, 0};
-  EXPECT_EQ(essential(contacts).size(), kept.size() + 1);
-}
-
 TEST(ClampedWorld, StopsAFastBodyUnlessBulletLetsItPass) {
   btBoxShape box({0.1F, 0.1F, 0.1F}), wall({0.01F, 5, 5});
   for (const bool is_ignored : {false, true}) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "adapters/carriers.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::adapters {
@@ -18,7 +19,7 @@ Shape plate() { return {Mesh(3, {{0, 1, 2}}), {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0
 
 Pose at_height(double z) { return {{0, 0, z}, {}}; }
 
-/// Ways straight from a pose to another, in doubles.
+/// Ways straight from a pose to another, in doubles, in a second.
 class Table : public WantedStep {
  public:
   void add(BodyId body, const Pose& from, const Pose& to) {
@@ -26,11 +27,21 @@ class Table : public WantedStep {
     ways_[body] = {from, to};
   }
   std::span<const BodyId> moving() const override { return ids_; }
+  const Shape& shape(BodyId body) const override { return body == of_parts ? parts : one_; }
+  double seconds() const override { return 1; }
   Pose pose(BodyId body, double fraction) const override {
-    Pose pose = ways_.at(body).first;
-    for (std::size_t i = 0; i < 3; ++i)
-      pose.position[i] += fraction * (ways_.at(body).second.position[i] - pose.position[i]);
+    const auto known = ways_.find(body);
+    if (known == ways_.end()) return {};
+    Pose pose = known->second.first;
+    pose.position = plus(pose.position, times(fraction, way_of(body)));
     return pose;
+  }
+  Inertia inertia(BodyId) const override { return {{1, 1, 1}, {}}; }
+  double friction(const BodyPair&) const override { return 0; }
+  Velocity velocity(BodyId body) const override { return {way_of(body), {}}; }
+  Velocity way(BodyId body) const override { return velocity(body); }
+  void set_way(BodyId body, const Velocity& way) override {
+    ways_.at(body).second.position = plus(ways_.at(body).first.position, way.linear);
   }
   double radius(BodyId) const override { return std::sqrt(2.0); }
   bool collides(const BodyPair& bodies) const override { return !apart.contains(bodies); }
@@ -38,14 +49,19 @@ class Table : public WantedStep {
     return !std::ranges::any_of(std::array{0U, 1U},
                                 [&](std::size_t i) { return bodies[i] == of_parts && vertices[i] < parts_from; });
   }
-  std::vector<Approach> approaches() const override { return near; }
 
   std::set<BodyPair> apart;
   BodyId of_parts = -1;  ///< of which vertices before `parts_from` collide with nobody
   Index parts_from = 0;
-  std::vector<Approach> near;
+  Shape parts = plate();  ///< of that body
 
  private:
+  Point way_of(BodyId body) const {
+    const auto known = ways_.find(body);
+    return known == ways_.end() ? Point{} : minus(known->second.second.position, known->second.first.position);
+  }
+
+  Shape one_ = plate();
   std::vector<BodyId> ids_;
   std::map<BodyId, std::pair<Pose, Pose>> ways_;
 };
@@ -58,7 +74,7 @@ TEST(Clamp, LeavesTheWorldAsItWasIfAWayIsRefused) {
   const BodyId goes = world.add(plate(), resting(at_height(1))), lost = world.add(plate(), resting(at_height(9)));
   step.add(goes, at_height(1), at_height(-3));
   step.add(lost, at_height(9), at_height(nowhere));
-  EXPECT_THROW(clamp(world, step, {}, {}), Error);
+  EXPECT_THROW((void)clamp(world, step, {}), Error);
   for (const auto& [body, height] : {std::pair(goes, 1.0), std::pair(lost, 9.0)})
     EXPECT_EQ(pose_at(std::get<Rigid>(world.motion(body)).chain, 1).position, at_height(height).position);
 }
@@ -68,9 +84,9 @@ TEST(Clamp, StopsABodyAGapBeforeWhatItWouldHit) {
   world.add(plate(), Static{});
   Table step;
   step.add(world.add(plate(), Static{at_height(1)}), at_height(1), at_height(-3));
-  const ClampedStep clamped = clamp(world, step, overlapping(world), {.gap = 0.01});
-  ASSERT_EQ(clamped.fractions.size(), 1U);
-  EXPECT_NEAR(1 - 4 * clamped.fractions[0], 0.01, 1e-3);
+  const ClampedStep clamped = clamp(world, step, {overlapping(world), {}}, {.gap = 0.01});
+  ASSERT_EQ(clamped.ends.size(), 1U);
+  EXPECT_NEAR(1 - 4 * clamped.ends[0].fraction, 0.01, 1e-3);
   EXPECT_TRUE(world.is_free());
   ASSERT_FALSE(clamped.limits.empty());
   EXPECT_NEAR(clamped.limits[0].toi_lower, 0.25, 1e-3);
@@ -125,8 +141,8 @@ TEST(Clamp, LetsGoWhoTouchesNobody) {
   step.add(world.add(plate(), Static{at_height(1)}), at_height(1), at_height(-3));
   step.add(world.add(plate(), Static{at_height(9)}), at_height(9), at_height(4));
   const ClampedStep clamped = clamp(world, step, {});
-  EXPECT_LT(clamped.fractions[0], 0.25);
-  EXPECT_EQ(clamped.fractions[1], 1);
+  EXPECT_LT(clamped.ends[0].fraction, 0.25);
+  EXPECT_EQ(clamped.ends[1].fraction, 1);
 }
 
 /// The lowest is stopped by the floor, so that the others meet who would have moved out of their way.
@@ -138,54 +154,62 @@ TEST(Clamp, StopsWhoMeetsABodyThatWasStopped) {
   const ClampedStep clamped = clamp(world, step, {}, {.gap = 0.01, .rounds = 2});
   EXPECT_TRUE(world.is_free());
   EXPECT_GT(clamped.questions, 1);
-  EXPECT_GT(clamped.fractions[0], 0);
+  EXPECT_GT(clamped.ends[0].fraction, 0);
   for (std::size_t i = 1; i < 5; ++i)
-    EXPECT_LT(20 * clamped.fractions[i - 1], 20 * clamped.fractions[i] + 1) << "body " << i << " passed the one below";
+    EXPECT_LT(20 * clamped.ends[i - 1].fraction, 20 * clamped.ends[i].fraction + 1)
+        << "body " << i << " passed the one below";
 }
 
-/// Two above each other, falling by 1 towards the floor.
-Table falling(World& world) {
-  const BodyId floor = world.add(plate(), Static{});
+/// Bodies of a table that are near each other when its step begins.
+Beginning near(World& world, const Table& step, const ClampOptions& options) {
+  for (const BodyId body : step.moving()) world.move(body, resting(step.pose(body, 0)));
+  return beginning(world, step, options);
+}
+
+/// Two above each other and the floor, a gap and a half each; their ways are as long as 100 gaps.
+Table falling(World& world, double gap) {
+  world.add(plate(), Static{});
   Table step;
-  for (const double height : {0.1, 0.2})
-    step.add(world.add(plate(), Static{at_height(height)}), at_height(height), at_height(height - 1));
-  step.near = {{{step.moving()[0], step.moving()[1]}, 0.1, {-1, 1}}, {{floor, step.moving()[0]}, 0.1, {0, 1}}};
+  for (const double height : {1.5 * gap, 3 * gap})
+    step.add(world.add(plate(), Static{at_height(height)}), at_height(height), at_height(height - 100 * gap));
   return step;
 }
 
-TEST(Clamp, HoldsBackWhoFollowsBeforeItAsks) {
+/// Bug: without an engine's own list of near places a body came to a thousandth of a gap, and kept its speed.
+TEST(Clamp, TakesTheSpeedOfWhoLiesOnAnother) {
   World world;
-  Table step = falling(world);
-  const ClampedStep told = clamp(world, step, {}, {.gap = 0.01});
-  EXPECT_EQ(told.questions, 1);
-  EXPECT_TRUE(world.is_free());
-  EXPECT_NEAR(told.fractions[0], 0.09, 1e-4);  // to a gap above the floor
-  EXPECT_NEAR(told.fractions[1], 0.18, 1e-4);  // and to a gap above where that is then
-  step.near.clear();
-  World other;
-  falling(other);
-  EXPECT_GT(clamp(other, step, {}, {.gap = 0.01}).questions, 1);
+  const ClampOptions options{.gap = 0.01};
+  Table step = falling(world, options.gap);
+  const ClampedStep clamped = clamp(world, step, near(world, step, options), options);
+  EXPECT_EQ(clamped.questions, 1);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const BodyId body = step.moving()[i];
+    const double height = step.pose(body, clamped.ends[i].fraction).position[2];
+    EXPECT_NEAR(height, 0.01 * static_cast<double>(i + 1), 1e-4) << "each a gap above the one below";
+    EXPECT_NEAR(clamped.ends[i].velocity.linear[2], -0.005 * static_cast<double>(i + 1), 1e-4);
+  }
 }
 
-TEST(Clamp, LetsStandWhoIsKnownToBeTooNear) {
+TEST(Clamp, PartsBodiesNearerThanAGapWithoutSpeed) {
   World world;
-  const BodyId floor = world.add(plate(), Static{});
+  world.add(plate(), Static{});
+  const ClampOptions options{.gap = 0.01};
   Table step;
   step.add(world.add(plate(), Static{at_height(4e-4)}), at_height(4e-4), at_height(-1));
-  EXPECT_GT(clamp(world, step, {}, {.gap = 0.01}).fractions[0], 0);
-  step.near = {{{floor, step.moving()[0]}, 4e-4, {0, 0}}};
-  EXPECT_EQ(clamp(world, step, {}, {.gap = 0.01}).fractions[0], 0);
+  const ClampedStep clamped = clamp(world, step, near(world, step, options), options);
+  EXPECT_GT(step.pose(step.moving()[0], clamped.ends[0].fraction).position[2], 1e-3);
+  EXPECT_NEAR(clamped.ends[0].velocity.linear[2], 0, 1e-9);
 }
 
-/// Bug: it stood, step after step, while gravity added to the speed with which it wanted to go on.
-TEST(Clamp, LetsGoWhoIsTooNearAndMeetsLate) {
-  World world;
-  const BodyId floor = world.add(plate(), Static{});
+/// A body that could be seen when the step began, and is stopped, does not want to go on.
+TEST(Clamp, StopsTheSpeedAtWhichBodiesMeet) {
   Table step;
-  const Pose start = at_height(4e-4), end{{0.5, 0, -1e-3}, {}};
-  step.add(world.add(plate(), Static{start}), start, end);
-  step.near = {{{floor, step.moving()[0]}, 4e-4, {0, 0}}};
-  EXPECT_GT(clamp(world, step, {}, {.gap = 0.01}).fractions[0], 0.1);
+  Velocities velocities{{0, {{0, 0, -3}, {}}}, {1, {{0, 0, 1}, {}}}};
+  step.add(0, at_height(1), at_height(-2));
+  step.add(1, at_height(0), at_height(1));
+  Carriers::stop({{0, 1}, {{{0, 0, 1}, {0, 0, 0}}}, {0, 0, 1}}, step, velocities);
+  EXPECT_EQ(velocities.at(0).linear[2], -1);
+  EXPECT_EQ(velocities.at(1).linear[2], -1);
 }
 
 TEST(Clamp, NeverHoldsBackWhoOverlapsOnAccountOfEachOther) {
@@ -196,7 +220,7 @@ TEST(Clamp, NeverHoldsBackWhoOverlapsOnAccountOfEachOther) {
   EXPECT_EQ(pairs, (std::set<BodyPair>{{flat, through}}));
   Table step;
   step.add(through, upright, gone);
-  EXPECT_EQ(clamp(world, step, pairs).fractions[0], 1);
+  EXPECT_EQ(clamp(world, step, {pairs, {}}).ends[0].fraction, 1);
 }
 
 TEST(Clamp, DoesNotStopWhomTheEngineDoesNotCollide) {
@@ -205,7 +229,7 @@ TEST(Clamp, DoesNotStopWhomTheEngineDoesNotCollide) {
   Table step;
   step.add(falling, at_height(1), at_height(-3));
   step.apart = {{floor, falling}};
-  EXPECT_EQ(clamp(world, step, {}).fractions[0], 1);
+  EXPECT_EQ(clamp(world, step, {}).ends[0].fraction, 1);
 }
 
 /// Bug: all are asked for ever, as nobody can be held back.
@@ -217,29 +241,30 @@ TEST(Clamp, LooksAtPartsThatCollideAlone) {
   World world;
   world.add(plate(), Static{});
   Table step;
-  step.of_parts = world.add({Mesh(9, {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}), points}, resting(at_height(0.5)));
+  step.parts = {Mesh(9, {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}), points};
+  step.of_parts = world.add(step.parts, resting(at_height(0.5)));
   step.add(step.of_parts, at_height(0.5), at_height(-4));
   step.parts_from = 6;
   EXPECT_EQ(overlapping(world).size(), 1U);
   EXPECT_TRUE(overlapping(world, step).empty());
-  const ClampedStep clamped = clamp(world, step, overlapping(world, step), {.gap = 0.01});
-  EXPECT_NEAR(1.5 - 4.5 * clamped.fractions.at(0), 0.01, 1e-3);  // the last part is a gap above the floor
+  const ClampedStep clamped = clamp(world, step, {overlapping(world, step), {}}, {.gap = 0.01});
+  EXPECT_NEAR(1.5 - 4.5 * clamped.ends.at(0).fraction, 0.01, 1e-3);  // the last part is a gap above the floor
 }
 
 TEST(Clamp, RefusesBodiesThatMeetWithoutBeingAskedToMove) {
   World world;
-  const Table step;
+  Table step;
   world.add(plate(), Static{});
   world.add(plate(), Rigid{between(at_height(1), at_height(-3))});
-  EXPECT_THROW(clamp(world, step, {}), InvalidStep);
+  EXPECT_THROW((void)clamp(world, step, {}), InvalidStep);
 }
 
 TEST(Clamp, RefusesAGapOrRoundsOutOfRange) {
   World world;
-  const Table step;
-  EXPECT_THROW(clamp(world, step, {}, {.gap = 0}), InvalidOptions);
-  EXPECT_THROW(clamp(world, step, {}, {.gap = std::nan("")}), InvalidOptions);
-  EXPECT_THROW(clamp(world, step, {}, {.rounds = -1}), InvalidOptions);
+  Table step;
+  EXPECT_THROW((void)clamp(world, step, {}, {.gap = 0}), InvalidOptions);
+  EXPECT_THROW((void)clamp(world, step, {}, {.gap = std::nan("")}), InvalidOptions);
+  EXPECT_THROW((void)clamp(world, step, {}, {.rounds = -1}), InvalidOptions);
 }
 
 }  // namespace

@@ -92,8 +92,11 @@ TEST(TruncatedWorld, DoesNotLookAtABodyWithoutLinksAndFaces) {
   SoftSimulation simulation;
   const btVector3 place(0, 0, 0);
   const btScalar mass = 1;
-  simulation.add(new btSoftBody(&simulation.world.getWorldInfo(), 1, &place, &mass));
+  btSoftBody& body = simulation.add(new btSoftBody(&simulation.world.getWorldInfo(), 1, &place, &mass));
+  body.m_nodes[0].m_v = {1, 0, 0};
   simulation.run(2);
+  EXPECT_GT(body.m_nodes[0].m_x.x(), 0.005F) << "it goes as Bullet moves it";
+  EXPECT_EQ(simulation.world.held_back(), 0);
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 use crate::members::{contents_of, Content, Member, Owner, Part};
 use crate::mesh::{double_pose, Mesh};
-use crate::way::{pose_of, Way};
+use crate::sleep::Stillness;
+use crate::wanted::Wanted;
+use crate::way::Way;
 use glamx::{DPose3, DVec3};
 use rapier3d::math::Pose;
 use rapier3d::prelude::*;
 use std::collections::{BTreeMap, HashMap};
-use tamis::{BodyId, ClampOptions, Error, Shape, WantedStep, World};
+use tamis::{BodyId, ClampOptions, Error, Shape, Velocity, World};
 
 /// What the clamp did in one step.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -25,12 +27,16 @@ pub struct Step {
 /// Holds back the bodies that rapier moves, so that none passes through another. Serves one world: it keeps the
 /// triangles of that world's colliders, and notices what is added, removed, moved or changed between two steps.
 pub struct Clamp {
-    world: World,
-    options: ClampOptions,
-    members: BTreeMap<BodyId, Member>,
+    pub(crate) world: World,
+    pub(crate) options: ClampOptions,
+    pub(crate) members: BTreeMap<BodyId, Member>,
     bodies_of: BTreeMap<Owner, BodyId>,
     given: HashMap<ColliderHandle, Given>,
     turns: BTreeMap<Owner, (RigidBodyHandle, f64)>,
+    pub(crate) stillness: Stillness,
+    /// Bodies that are to fall asleep in the next step, and the axes that are locked otherwise.
+    pub(crate) dozing: BTreeMap<BodyId, LockedAxes>,
+    pub(crate) steps: usize,
 }
 
 /// A mesh given by `set_mesh`. It is for the shape that the collider has when a step first sees it, and for no other.
@@ -49,6 +55,9 @@ impl Clamp {
             bodies_of: BTreeMap::new(),
             given: HashMap::new(),
             turns: BTreeMap::new(),
+            stillness: Stillness::default(),
+            dozing: BTreeMap::new(),
+            steps: 0,
         })
     }
 
@@ -62,7 +71,7 @@ impl Clamp {
     /// Makes one step of rapier in which no body passes through another. Refuses colliders without triangles, before
     /// anything has moved.
     pub fn step(&mut self, physics: &mut PhysicsWorld) -> Result<Step, Error> {
-        self.before(&physics.bodies, &physics.colliders)?;
+        self.before(&mut physics.bodies, &physics.colliders)?;
         physics.step();
         self.after(
             &physics.integration_parameters,
@@ -74,7 +83,7 @@ impl Clamp {
     }
 
     /// For callers of rapier's pipeline, before its step: reads which bodies there are, and where.
-    pub fn before(&mut self, bodies: &RigidBodySet, colliders: &ColliderSet) -> Result<(), Error> {
+    pub fn before(&mut self, bodies: &mut RigidBodySet, colliders: &ColliderSet) -> Result<(), Error> {
         let mut present = contents_of(bodies, colliders);
         self.turns = fast_turns(bodies);
         self.given.retain(|&collider, _| colliders.contains(collider));
@@ -87,6 +96,7 @@ impl Clamp {
         for id in stale {
             let Some(member) = self.members.remove(&id) else { continue };
             self.bodies_of.remove(&member.owner);
+            self.stillness.forget(id);
             self.world.remove(id)?;
         }
         while let Some((owner, (content, pose))) = present.pop_first() {
@@ -94,6 +104,14 @@ impl Clamp {
                 Some(&id) => self.put(id, pose)?,
                 None => self.join(owner, content, pose)?,
             }
+        }
+        for (id, locked) in &mut self.dozing {
+            let Some(handle) = self.members.get(id).and_then(|member| member.owner.body()) else { continue };
+            let Some(body) = bodies.get_mut(handle) else { continue };
+            *locked = body.locked_axes();
+            body.set_locked_axes(LockedAxes::all(), false);
+            body.set_linvel(Vector::ZERO, false);
+            body.set_angvel(Vector::ZERO, false);
         }
         Ok(())
     }
@@ -107,12 +125,18 @@ impl Clamp {
         joints: &ImpulseJointSet,
         multibodies: &MultibodyJointSet,
     ) -> Result<Step, Error> {
+        for (id, &locked) in &self.dozing {
+            let Some(handle) = self.members.get(id).and_then(|member| member.owner.body()) else { continue };
+            if let Some(body) = bodies.get_mut(handle) {
+                body.set_locked_axes(locked, false);
+            }
+        }
         let mut ways = BTreeMap::new();
         for (id, handle) in self.members.iter().filter_map(|(&id, m)| Some((id, m.owner.body()?))).collect::<Vec<_>>() {
             let Some(body) = bodies.get(handle) else { continue };
             let (start, end, centre) = (self.members[&id].pose, *body.position(), self.members[&id].content.centre);
             if body.is_dynamic() && multibodies.rigid_body_link(handle).is_none() {
-                if start != end {
+                if start != end || !body.is_sleeping() {
                     ways.insert(id, Way { start, end, centre });
                 }
             } else {
@@ -120,8 +144,19 @@ impl Clamp {
             }
         }
         let moving: Vec<BodyId> = ways.keys().copied().collect();
-        let wanted = Wanted { moving: &moving, ways: &ways, members: &self.members, colliders, joints };
-        let clamped = self.world.clamp(&wanted, &self.options)?;
+        let seconds = f64::from(parameters.dt);
+        let mut wanted = Wanted {
+            moving: &moving,
+            ways,
+            members: &self.members,
+            dozing: &self.dozing,
+            bodies,
+            colliders,
+            joints,
+            seconds,
+        };
+        let clamped = self.world.clamp(&mut wanted, &self.options)?;
+        let ways = wanted.ways;
         for (owner, (handle, now)) in fast_turns(bodies) {
             let fastest = &mut self.turns.entry(owner).or_insert((handle, now)).1;
             *fastest = fastest.max(now);
@@ -133,13 +168,21 @@ impl Clamp {
             overlapping: clamped.overlapping,
             turned_too_far: self.turns.values().filter(|(_, turn)| is_too_far(*turn)).map(|(body, _)| *body).collect(),
         };
-        for (&id, &fraction) in moving.iter().zip(&clamped.fractions) {
-            let pose = ways[&id].at(fraction);
+        for (&id, end) in moving.iter().zip(&clamped.ends) {
+            let pose = ways[&id].at(end.fraction);
             self.rest(id, pose)?;
-            let Some(handle) = self.members[&id].owner.body().filter(|_| fraction < 1.0) else { continue };
-            bodies[handle].set_position(pose, true);
-            step.held.push((handle, fraction));
+            let Some(handle) = self.members[&id].owner.body() else { continue };
+            let is_held = end.fraction < 1.0 && !ways[&id].stays();
+            if is_held || !self.dozing.contains_key(&id) {
+                take(bodies, handle, pose, &end.velocity);
+            }
+            let radius = self.members[&id].radius as f32;
+            self.stillness.note(id, &bodies[handle], &ways[&id].start, radius, parameters.dt);
+            if is_held {
+                step.held.push((handle, end.fraction));
+            }
         }
+        self.sleep(&step, bodies, joints)?;
         bodies.propagate_modified_body_positions_to_colliders(colliders);
         Ok(step)
     }
@@ -156,8 +199,8 @@ impl Clamp {
         }
         let points: Vec<[f64; 3]> = mesh.points.iter().map(|p| p.to_array()).collect();
         let radius = mesh.points.iter().map(|p| p.length()).fold(0.0, f64::max);
-        let member = Member { owner, content, radius, first_vertices, pose };
-        let id = self.world.add(&Shape::new(&points, &mesh.faces)?, &member.motion()?)?;
+        let member = Member { owner, shape: Shape::new(&points, &mesh.faces)?, content, radius, first_vertices, pose };
+        let id = self.world.add(&member.shape, &member.motion()?)?;
         self.members.insert(id, member);
         self.bodies_of.insert(owner, id);
         Ok(())
@@ -179,6 +222,24 @@ impl Clamp {
     }
 }
 
+/// Puts a body where it may be.
+fn take(bodies: &mut RigidBodySet, handle: RigidBodyHandle, pose: Pose, velocity: &Velocity) {
+    let (linear, angular, body) = (vector(velocity.linear), vector(velocity.angular), &bodies[handle]);
+    if *body.position() == pose && (body.is_sleeping() || (body.linvel() == linear && body.angvel() == angular)) {
+        return;
+    }
+    let body = &mut bodies[handle];
+    body.set_position(pose, false);
+    if !body.is_sleeping() {
+        body.set_linvel(linear, false);
+        body.set_angvel(angular, false);
+    }
+}
+
+fn vector(v: [f64; 3]) -> Vector {
+    Vector::new(v[0] as f32, v[1] as f32, v[2] as f32)
+}
+
 /// The turning speed, in radians a second, of each body that may turn by more than pi/4 in a step.
 fn fast_turns(bodies: &RigidBodySet) -> BTreeMap<Owner, (RigidBodyHandle, f64)> {
     let turns = |(handle, body): (RigidBodyHandle, &RigidBody)| {
@@ -195,53 +256,5 @@ impl Given {
     fn mesh_for(&mut self, shape: &SharedShape) -> Option<&Mesh> {
         let known = self.shape.get_or_insert_with(|| shape.clone());
         std::sync::Arc::ptr_eq(&known.0, &shape.0).then_some(&self.mesh)
-    }
-}
-
-const NOWHERE: tamis::Pose = tamis::Pose { position: [f64::NAN; 3], rotation: [f64::NAN; 3] };
-
-struct Wanted<'a> {
-    moving: &'a [BodyId],
-    ways: &'a BTreeMap<BodyId, Way>,
-    members: &'a BTreeMap<BodyId, Member>,
-    colliders: &'a ColliderSet,
-    joints: &'a ImpulseJointSet,
-}
-
-impl Wanted<'_> {
-    fn meet(&self, a: &Part, b: &Part) -> bool {
-        // A collider that was removed since `before` meets nothing.
-        let (Some(a), Some(b)) = (self.colliders.get(a.collider), self.colliders.get(b.collider)) else { return false };
-        a.collision_groups().test(b.collision_groups()) && a.solver_groups().test(b.solver_groups())
-    }
-}
-
-impl WantedStep for Wanted<'_> {
-    fn moving(&self) -> &[BodyId] {
-        self.moving
-    }
-
-    fn pose(&self, body: BodyId, fraction: f64) -> tamis::Pose {
-        let way = &self.ways[&body];
-        // The question refuses numbers that are not finite.
-        pose_of(&way.at(fraction), way.centre).unwrap_or(NOWHERE)
-    }
-
-    fn radius(&self, body: BodyId) -> f64 {
-        self.members[&body].radius
-    }
-
-    fn collides(&self, first: BodyId, second: BodyId) -> bool {
-        let (first, second) = (&self.members[&first], &self.members[&second]);
-        if let (Some(a), Some(b)) = (first.owner.body(), second.owner.body()) {
-            if self.joints.joints_between(a, b).any(|(_, joint)| !joint.data.contacts_enabled) {
-                return false;
-            }
-        }
-        first.content.parts.iter().any(|a| second.content.parts.iter().any(|b| self.meet(a, b)))
-    }
-
-    fn collides_at(&self, first: (BodyId, i32), second: (BodyId, i32)) -> bool {
-        self.meet(self.members[&first.0].part_of(first.1), self.members[&second.0].part_of(second.1))
     }
 }

@@ -26,6 +26,8 @@
 mod clamp;
 mod members;
 mod mesh;
+mod sleep;
+mod wanted;
 mod way;
 
 pub use clamp::{Clamp, Step};

@@ -46,6 +46,7 @@ pub struct Content {
 
 pub struct Member {
     pub owner: Owner,
+    pub shape: tamis::Shape,
     pub content: Content,
     pub radius: f64,
     /// For each part, the number of its first vertex.

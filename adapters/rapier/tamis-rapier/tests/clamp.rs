@@ -27,7 +27,7 @@ fn step_with(
     world: &mut PhysicsWorld,
     change: impl FnOnce(&mut PhysicsWorld),
 ) -> Result<Step, Error> {
-    clamp.before(&world.bodies, &world.colliders)?;
+    clamp.before(&mut world.bodies, &world.colliders)?;
     world.step();
     change(world);
     let PhysicsWorld { integration_parameters, bodies, colliders, impulse_joints, multibody_joints, .. } = world;
@@ -81,10 +81,11 @@ fn unseen_plate(world: &mut PhysicsWorld, clamp: &mut Clamp) {
 /// between two fixed bodies: so overlapping bodies held each other back.
 #[test]
 fn bodies_that_overlap_are_parted_after_a_step_in_which_neither_could_move() {
-    let (mut world, mut clamp) = (world(0.0), clamp());
+    let mut world = world(0.0);
+    let mut clamp = Clamp::new(ClampOptions { rounds: 0, ..ClampOptions::default() }, 1).unwrap();
     unseen_plate(&mut world, &mut clamp);
-    let down = Vector::new(0.0, 0.0, -1.0);
-    let boxes = [0.0, 0.15].map(|x| world.insert(at(x, 0.0, 0.100_000_1).linvel(down), small_box()).0);
+    let down = Vector::new(0.0, 0.0, -50.0);
+    let boxes = [0.0, 0.15].map(|x| world.insert(at(x, 0.0, 0.3).linvel(down), small_box()).0);
     let first = clamp.step(&mut world).unwrap();
     assert_eq!(first.overlapping, 1);
     assert_eq!(first.held.iter().map(|&(_, fraction)| fraction).collect::<Vec<_>>(), [0.0; 2]);
@@ -150,7 +151,8 @@ fn a_centre_of_mass_beside_the_origin_is_what_goes_straight() {
     assert!(all.iter().all(|step| step.held.is_empty()));
     assert!((world.bodies[body].center_of_mass().z - 0.4552).abs() < 1e-4);
     world.bodies[body].set_linvel(Vector::new(0.0, 0.0, -0.5), true);
-    assert!(steps(&mut clamp, &mut world, 30).iter().any(|step| !step.held.is_empty()));
+    steps(&mut clamp, &mut world, 30);
+    assert!(world.bodies[body].center_of_mass().z > 0.44, "it stays above the wall");
 }
 
 #[test]

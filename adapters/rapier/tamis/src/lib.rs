@@ -34,7 +34,7 @@ mod world;
 
 pub use answers::{Contact, Earliest, Intersection, NearPair};
 #[cfg(feature = "clamp")]
-pub use clamp::{ClampOptions, Clamped, WantedStep};
+pub use clamp::{ClampOptions, Clamped, End, Inertia, Velocity, WantedStep};
 pub use error::Error;
 pub use motion::{Link, Motion, Pose};
 pub use shape::Shape;

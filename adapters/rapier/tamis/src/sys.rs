@@ -215,6 +215,8 @@ pub use clamp::*;
 mod clamp {
     use super::*;
 
+    use crate::clamp::{End, Inertia, Velocity};
+
     #[repr(C)]
     pub struct tamis_wanted_step {
         pub size: usize,
@@ -227,6 +229,14 @@ mod clamp {
         pub gap: f64,
         pub rounds: i32,
         pub collides_at: Option<unsafe extern "C" fn(*mut c_void, i32, i32, i32, i32) -> c_int>,
+        pub seconds: f64,
+        pub carried_at: f64,
+        pub shape: Option<unsafe extern "C" fn(*mut c_void, i32) -> *const tamis_shape>,
+        pub inertia: Option<unsafe extern "C" fn(*mut c_void, i32, *mut Inertia)>,
+        pub friction: Option<unsafe extern "C" fn(*mut c_void, i32, i32) -> f64>,
+        pub velocity: Option<unsafe extern "C" fn(*mut c_void, i32, *mut Velocity)>,
+        pub way: Option<unsafe extern "C" fn(*mut c_void, i32, *mut Velocity)>,
+        pub set_way: Option<unsafe extern "C" fn(*mut c_void, i32, *const Velocity)>,
     }
 
     #[repr(C)]
@@ -240,7 +250,7 @@ mod clamp {
         pub fn tamis_world_clamp(
             world: *mut tamis_world,
             step: *const tamis_wanted_step,
-            fractions: *mut f64,
+            ends: *mut End,
             contact_count: *mut usize,
             clamped: *mut tamis_clamped,
         ) -> c_int;

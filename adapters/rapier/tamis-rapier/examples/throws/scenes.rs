@@ -92,7 +92,7 @@ pub fn spinning_plates(count: usize) -> Vec<Throw> {
             steps: 30,
             seconds: 1.0 / 60.0,
             on_axle: false,
-            is_through: Box::new(|poses| poses[poses.len() - 1].translation.z < -0.3),
+            is_through: Box::new(|poses| poses.iter().any(|pose| is_behind_wall(pose.translation))),
         }
     });
     throws.collect()
@@ -135,6 +135,11 @@ fn turned_by(poses: &[Pose]) -> Vec<f64> {
         turned
     });
     steps.collect()
+}
+
+/// Where a plate is not after it has left the wall over its edge.
+fn is_behind_wall(p: Vector) -> bool {
+    p.z < -0.3 && p.x.abs() < 1.0 && p.y.abs() < 1.0
 }
 
 fn wall() -> Triangles {

@@ -66,6 +66,11 @@ Body::Body(const Body& other) : Body(other.id_, other.shape_, other.motion_) {
   may_touch_itself = other.may_touch_itself;
 }
 
+Body::Body(const Body& other, std::size_t links) : Body(other.id_, other.shape_, Rigid{without(other.chain(), links)}) {
+  motion_kind_ = MotionKind::turning;
+  set_radius(other.radius_);
+}
+
 void Body::move(BodyMotion motion) {
   validate(motion);
   motion_ = std::move(motion);

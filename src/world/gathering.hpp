@@ -9,8 +9,8 @@
 
 namespace tamis {
 
-/// One gathered mesh, of pairs of bodies whose vertices all go straight, of pairs of which one body turns, or of all
-/// pairs in a pose.
+/// One gathered mesh, of pairs of bodies whose vertices all go straight, of pairs of which one body turns and that do
+/// not turn together, of pairs that turn together in their frame, or of all pairs in a pose.
 struct Gathering {
   MotionKind least, most;  ///< of the body that moves more in a pair asked about
   /// Items within this many mean edges of the finest body beyond the needed distance are gathered, too, to serve later
@@ -25,7 +25,8 @@ struct Gathering {
 
   bool wants(const Body& a, const Body& b) const {
     const MotionKind kind = std::max(a.motion_kind(), b.motion_kind());
-    return least <= kind && kind <= most;
+    const bool is_of_frame = least == MotionKind::turning && turn_together(a, b);
+    return least <= kind && kind <= most && !is_of_frame;
   }
   /// Does the mesh hold all items that come within the distance `now`? It does while both bodies of each pair together
   /// deviate by at most the margin from `motions`, less what `now` is larger.

@@ -47,6 +47,7 @@ void World::State::move(BodyId id, BodyMotion motion) {
 
 void World::State::forget_gathered(const Body& changed) {
   for (Gathering* gathering : {&straight_, &turning_, &at_rest_}) gathering->gathered = nullptr;
+  carried_.clear();
   forget_if_still(changed);
 }
 
@@ -80,6 +81,7 @@ void World::State::add_statistics(const Statistics& of_part) {
 std::uint64_t World::State::memory_bytes() const {
   std::uint64_t bytes = held_bytes(bodies);
   for (const Gathering* gathering : {&straight_, &turning_, &at_rest_}) bytes += held_bytes(*gathering);
+  for (const auto& [key, gathering] : carried_) bytes += held_bytes(gathering);
   return bytes;
 }
 

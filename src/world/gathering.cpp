@@ -77,7 +77,7 @@ bool World::State::gather(Gathering& gathering, const BodyList& seen, const Near
     return true;
   }
   const bool is_usable = gathering.gathered && gathering.gathered->keeps_motion_kinds(seen);
-  const bool counts = !is_usable || ++gathering.searched % kSearchesPerCount == 0;
+  const bool counts = !is_usable || gathering.serves_once() || ++gathering.searched % kSearchesPerCount == 0;
   // All needed items if `counts`; else the gathered items, which are not tested again, and new ones.
   NearItems near_now;
   if (!counts) near_now.of_body = gathering.gathered->items().of_body;
@@ -104,9 +104,10 @@ void World::State::gather_anew(Gathering& gathering, const BodyList& seen, const
   double in_edges = gathering.margin_in_edges;
   if (!gathering.motions.empty() && gathering.served < kQueriesWorthGathering)
     in_edges = std::min(2 * in_edges, kMostMarginInEdges);
-  NearItems items;
-  std::vector<BodyPair> pairs;
-  while (true) {
+  const int in_vain = gathering.gathered && gathering.served == 0 ? gathering.in_vain + 1 : 0;
+  NearItems items = needed;
+  std::vector<BodyPair> pairs = near;
+  while (!gathering.serves_once()) {
     distance.margin = std::min(in_edges * edge, std::numeric_limits<double>::max());  // less than unknown deviations
     pairs = &seen == &bodies ? wanted_pairs(gathering, near_bodies(distance)) : near;
     items = needed;
@@ -123,6 +124,7 @@ void World::State::gather_anew(Gathering& gathering, const BodyList& seen, const
   gathering.margin_in_edges = in_edges;
   gathering.needed_when_gathered = needed.count();
   gathering.served = 0;
+  gathering.in_vain = in_vain;
   gathering.searched = 0;
 }
 

@@ -35,9 +35,8 @@ TimeInterval<double> window_of(const PairMotion<BasicInterval<T>>& widened, int 
   return {root - margin, root + margin};
 }
 
-/// Limits for one pair: parts that are looked at in doubles; in double-double; and in double-double within one part
-/// that doubles leave undecided.
-constexpr int kMostParts = 1 << 17, kMostFineParts = 1 << 17, kMostWithinPart = 1 << 13;
+/// Limits for one pair: parts that are looked at in doubles, and in double-double. Either takes half a second.
+constexpr int kMostParts = 1 << 17, kMostFineParts = 1 << 13;
 /// Cutting sharpens proofs while deviations exceed the errors of positions. Below that it helps only because chords
 /// turn less on shorter parts, which matters for parts longer than this.
 template <class T>
@@ -138,8 +137,7 @@ class PathSolver {
   std::optional<Decision> decided_further(const PathPart<T>& part, const PairMotion<BasicInterval<T>>& widened,
                                           bool crosses) {
     if constexpr (std::is_same_v<T, double>) {
-      const int most_parts = std::min(kMostWithinPart, fine_parts_left_);
-      PathSolver<kind, DoubleDouble> fine(question_, reader_, {part.from.time, part.to.time}, most_parts);
+      PathSolver<kind, DoubleDouble> fine(question_, reader_, {part.from.time, part.to.time}, fine_parts_left_);
       const Decision decision = fine.run();
       fine_parts_left_ -= fine.parts_looked_at();
       return decision.is_free() ? std::nullopt : std::optional(decision);

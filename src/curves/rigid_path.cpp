@@ -112,8 +112,9 @@ void RigidPath::straight_directions(std::span<const Index> vertices, std::span<P
 }
 
 std::optional<CarriedPath> RigidPath::carried(std::span<const Index> vertices) const {
-  const auto& [rest, rest_end, body_of_vertex, chains, axes, curves] = *motion_;
-  const auto chain_of = [&](Index v) -> const Chain& { return chains[at(body_of_vertex[at(v)])]; };
+  const std::vector<Point>&rest = motion_->rest, &rest_end = motion_->rest_end;
+  const std::vector<Index>& body_of_vertex = motion_->body_of_vertex;
+  const auto chain_of = [&](Index v) -> const Chain& { return motion_->chains[at(body_of_vertex[at(v)])]; };
   const Chain& first = chain_of(vertices.front());
   std::size_t shared = first.size();
   for (const Index v : vertices) shared = std::min(shared, shared_links(first, chain_of(v)));

@@ -78,6 +78,18 @@ TEST(Together, TheSameInOneMesh) {
   for (const Contact& c : within) EXPECT_EQ(c.toi_lower, 0);
 }
 
+// Bug: a last joint that slides one sheet on the other is asked about on pieces of the whole arm's motion.
+TEST(Together, OfALastJointItsOwnMotionCounts) {
+  const Chain slides = and_then(far_turn(), {}, {{0, 0, 0}, {0, 0, 0.5}});
+  TestWorld world = pair_of(sheet(5, 0), far_turn(), sheet(5, 1e-6), slides);
+  EXPECT_TRUE(world.world.is_free());
+  EXPECT_LT(world.world.statistics().decided_by.scalar, 500u);
+  // Half of the gap is gone where far corners have come near: the same as without the arm.
+  const Chain alone{slides.back()};
+  TestWorld without_arm = pair_of(sheet(5, 0), {{}}, sheet(5, 1e-6), alone);
+  EXPECT_NEAR(world.world.safe_step(0.5).lower, without_arm.world.safe_step(0.5).lower, 1e-9);
+}
+
 TEST(Together, WhatTouchesAtTheStartTouchesThenAndNeverAgain) {
   TestWorld world = pair_of(sheet(3, 0), far_turn(), sheet(2, 0, 0.03), far_turn());
   const std::vector<BodyContact> report = world.world.contacts();

@@ -146,7 +146,8 @@ std::vector<double> World::State::times_of_pieces(const BodyList& seen, const st
   constexpr double kFirstPiece = 0x1p-6;
   const double first = pieces > 1 ? (1 - kNoSimplePart) / pieces : 1;
   if (distance.displacement_factor > 0) {
-    for (double time = first * kNearMiddle; time > kFirstPiece; time *= kNearMiddle) times.push_back(time);
+    constexpr double kGrowth = kNearMiddle * kNearMiddle;
+    for (double time = first * kGrowth; time > kFirstPiece; time *= kGrowth) times.push_back(time);
     std::ranges::sort(times);
   }
   for (int piece = 1; piece < pieces; ++piece) times.push_back((piece - kNoSimplePart) / pieces);

@@ -1,6 +1,9 @@
 // Curved motion: where every vertex is at each time of a step, and how far it deviates from straight pieces.
 #pragma once
 #include <array>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 
 #include "tamis/pair.hpp"
@@ -13,6 +16,8 @@ struct FinePoint {
   Point low{0, 0, 0};
   double error = 0;
 };
+
+struct CarriedPath;
 
 /// How all vertices move for t in [0,1], on continuous curves. Derive from it, or take a ready-made path
 /// (tamis/rigid_path.hpp, tamis/spline_path.hpp). All calls are const and may come from several threads at a time.
@@ -43,6 +48,18 @@ class Path {
   /// known; by default all are zeros. A body that turns about a fixed axis has such a direction, its axis. Bodies that
   /// slide past each other on planes orthogonal to d are proven apart by it.
   virtual void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const;
+
+  /// The motion of a pair's vertices in a frame that one rigid motion carries, if the path knows such a motion: of two
+  /// bodies that a third one holds it is the third one's. Pairs are decided in that frame. By default none.
+  virtual std::optional<CarriedPath> carried(std::span<const Index> vertices) const;
+};
+
+/// Vertices of a path in a frame that moves rigidly. Distances are the same at all times, exactly.
+struct CarriedPath {
+  std::shared_ptr<const Path> path;  ///< its vertex i is the i-th of the given ones
+  bool is_still = false;             ///< no vertex moves in the frame
+  /// Turns a direction in the frame at a time into one in the world.
+  std::function<Point(double time, const Point& direction)> to_world;
 };
 
 /// A vertex p against a face a b c that move on a path; `vertices` holds their numbers in the path. As vertex_face for

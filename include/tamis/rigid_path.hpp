@@ -75,6 +75,9 @@ class RigidPath final : public Path {
   /// The axis of a vertex' body, if the rotation vectors of its chain, from the outermost link to the last one that
   /// changes, are exactly parallel; else zeros.
   void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const override;
+  /// The frame of the last link that the vertices' bodies share: links are shared as long as their numbers are equal,
+  /// from the outermost one on. Also returned if no vertex moves.
+  std::optional<CarriedPath> carried(std::span<const Index> vertices) const override;
 
  private:
   struct Motion;

@@ -48,6 +48,8 @@ struct Static {
 /// rotation of the chain changes, each vertex goes straight, from its start rounded to doubles to its end rounded to
 /// doubles. In one step the links together turn by no more than 4096 radians. No rotation vector, not even of a static
 /// body, is longer than 2^32 (docs/worlds.md, "How far a body may turn").
+/// Bodies whose chains begin with equal links move relative to each other by the links behind these alone: bodies that
+/// one gripper holds are told its links, then a constant one each.
 struct Rigid {
   Chain chain;
 };

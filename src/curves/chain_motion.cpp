@@ -92,6 +92,12 @@ RoundedTransform transform_at(const Chain& chain, double time) {
   return result;
 }
 
+Point turned_by(const Chain& chain, double time, const Point& direction) {
+  RoundedTransform turn = transform_at(chain, time);
+  turn.shift = {0, 0, 0};
+  return turn.of(direction);
+}
+
 namespace {
 
 /// Is a b exactly c d? False also where two doubles cannot hold a product.

@@ -1,5 +1,6 @@
 #include "tamis/rigid_path.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "curves/chain_motion.hpp"
@@ -114,6 +115,40 @@ void RigidPath::deviations(double from, double to, std::span<const Index> vertic
 void RigidPath::straight_directions(std::span<const Index> vertices, std::span<Point> directions) const {
   for (std::size_t i = 0; i < vertices.size(); ++i)
     directions[i] = motion_->axes[at(motion_->body_of_vertex[at(vertices[i])])];
+}
+
+std::optional<CarriedPath> RigidPath::carried(std::span<const Index> vertices) const {
+  const ComputingState state;
+  const std::vector<Point>&rest = motion_->rest, &rest_end = motion_->rest_end;
+  const std::vector<Index>& body_of_vertex = motion_->body_of_vertex;
+  const auto chain_of = [&](Index v) -> const Chain& { return motion_->chains[at(body_of_vertex[at(v)])]; };
+  const Chain& first = chain_of(vertices.front());
+  std::size_t shared = first.size();
+  for (const Index v : vertices) shared = std::min(shared, shared_links(first, chain_of(v)));
+  const auto stays = [&](Index v) {
+    const auto inner = std::span(chain_of(v)).subspan(shared);
+    return rest[at(v)] == rest_end[at(v)] &&
+           std::ranges::all_of(inner, [](const Link& link) { return link.start == link.end; });
+  };
+  const bool is_still = std::ranges::all_of(vertices, stays);
+  if (shared == 0 && !is_still) return std::nullopt;
+
+  std::vector<Point> inner_rest, inner_end;
+  std::vector<Index> body_of_each;
+  std::vector<Chain> inner_chains;
+  for (const Index v : vertices) {
+    if (inner_chains.empty() || body_of_vertex[at(v)] != body_of_vertex[at(vertices[body_of_each.size() - 1])])
+      inner_chains.push_back(without(chain_of(v), shared));
+    inner_rest.push_back(rest[at(v)]);
+    inner_end.push_back(rest_end[at(v)]);
+    body_of_each.push_back(static_cast<Index>(inner_chains.size()) - 1);
+  }
+  Chain carrier(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(shared));
+  return CarriedPath{std::make_shared<RigidPath>(std::move(inner_rest), std::move(body_of_each),
+                                                 std::move(inner_chains), std::move(inner_end)),
+                     is_still, [carrier = std::move(carrier)](double time, const Point& direction) {
+                       return turned_by(carrier, time, direction);
+                     }};
 }
 
 }  // namespace tamis

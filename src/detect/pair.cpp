@@ -11,7 +11,7 @@
 #include "numerics/finite.hpp"
 #include "numerics/floating_point_state.hpp"
 #include "paths/callers_path.hpp"
-#include "paths/decide_path.hpp"
+#include "paths/carried_pair.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
@@ -43,10 +43,11 @@ PairResult decide_curves(PairKind kind, const Path& callers, const PairVertices&
     if (v < 0 || v >= path.vertex_count())
       throw InvalidPath("the path has no vertex " + std::to_string(v) + ": give numbers in [0, " +
                         std::to_string(path.vertex_count()) + ")");
-  const PathQuestion question{
-      path, kind, vertices_in_use(kind, vertices), options.min_separation, options.tolerance, options.is_cancelled};
+  const CarriedPair pair(path, kind, vertices_in_use(kind, vertices));
+  const PathQuestion question{pair.path(),         kind, pair.vertices(), options.min_separation, options.tolerance,
+                              options.is_cancelled};
   const Decision decision = decide_on_path(question, {0, 1});
-  return decision.lower > options.latest ? PairResult{} : result_on_path(question, decision);
+  return decision.lower > options.latest ? PairResult{} : pair.in_world(result_on_path(question, decision));
 }
 
 }  // namespace

@@ -29,6 +29,11 @@ class CachedPath final : public Path {
   void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const override {
     isolated([&] { path_.straight_directions(vertices, directions); });
   }
+  std::optional<CarriedPath> carried(std::span<const Index> vertices) const override {
+    std::optional<CarriedPath> found;
+    isolated([&] { found = path_.carried(vertices); });
+    return found;
+  }
 
  private:
   static constexpr std::size_t kMostTimesCached = 32, kMostTimesSeen = 32;

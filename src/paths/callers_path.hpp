@@ -32,6 +32,10 @@ class CallersPath final : public Path {
     const CallersState state;
     path_.straight_directions(vertices, directions);
   }
+  std::optional<CarriedPath> carried(std::span<const Index> vertices) const override {
+    const CallersState state;
+    return path_.carried(vertices);
+  }
 
  private:
   const Path& path_;

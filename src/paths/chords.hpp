@@ -83,8 +83,8 @@ class Chords {
   }
 
   /// For features that lie, or nearly lie, in planes orthogonal to the direction d. Tries d itself as the axis, then
-  /// the features' normals, since the planes may be tilted a little. Closest points give no axis if the gap is no
-  /// larger than rounding.
+  /// the features' normals, since the planes may be tilted a little, then the normals of their sides in that plane.
+  /// Closest points give no axis if the gap is no larger than rounding, and a coarse one if it is little larger.
   bool direction_proves_free(const PairMotion<I>& ends, const Vec3<I>& d, double separation) const {
     const double deviation = *std::max_element(deviations_.begin(), deviations_.end());
     const double thin = separation + 8 * std::max(deviation, from_.error);
@@ -95,8 +95,16 @@ class Chords {
     };
     const Vec3<I> towards = towards_first(d, from_);
     if (prove_free(towards, towards)) return true;
-    return can_cross(kind) && prove_free(towards_first(cross(ends.e.at0, ends.f.at0), from_),
-                                         towards_first(cross(ends.e.at1, ends.f.at1), to_));
+    if (!can_cross(kind)) return false;
+    const auto normals_prove_free = [&](const Vec3<I>& at0, const Vec3<I>& at1) {
+      return prove_free(towards_first(at0, from_), towards_first(at1, to_));
+    };
+    if (normals_prove_free(cross(ends.e.at0, ends.f.at0), cross(ends.e.at1, ends.f.at1))) return true;
+    const auto side_proves_free = [&](const Moving<I>& side) {
+      return normals_prove_free(cross(d, side.at0), cross(d, side.at1));
+    };
+    return side_proves_free(ends.e) || side_proves_free(ends.f) ||
+           (kind == PairKind::vertex_face && side_proves_free(ends.f - ends.e));
   }
 
   bool axes_prove_free(const Axis& a0, const Axis& a1, double separation) const {

@@ -35,9 +35,8 @@ TimeInterval<double> window_of(const PairMotion<BasicInterval<T>>& widened, int 
   return {root - margin, root + margin};
 }
 
-/// Limits for one pair: parts that are looked at in doubles; in double-double; and in double-double within one part
-/// that doubles leave undecided.
-constexpr int kMostParts = 1 << 17, kMostFineParts = 1 << 17, kMostWithinPart = 1 << 13;
+/// Limits for one pair: parts that are looked at in doubles, and in double-double. Either takes half a second.
+constexpr int kMostParts = 1 << 17, kMostFineParts = 1 << 13;
 /// Cutting sharpens proofs while deviations exceed the errors of positions. Below that it helps only because chords
 /// turn less on shorter parts, which matters for parts longer than this.
 template <class T>
@@ -74,7 +73,7 @@ class PathSolver {
       if (is_narrow && stays_inside<kind>(widened)) return Decision{Verdict::touches, part.from.time, part.to.time};
       if (cut_around_crossing(part, window_of(widened, side_before))) return {};
     }
-    if (--parts_left_ > 0 && may_gain(part, chords.gap_at_start(ends)) &&
+    if (--parts_left_ > 0 && may_gain(part, chords.gap_at_start(ends)) && !is_touch_in_bracket(part) &&
         parts_.cut(part, near_middle(part.from.time, part.to.time)))
       return {};
     return decided_further(part, widened, side_before != 0);
@@ -105,12 +104,22 @@ class PathSolver {
     return to;
   }
 
-  /// May cutting make proofs sharper? In doubles not if the errors of positions are about as large as the gap.
+  /// May cutting make proofs sharper? In doubles not if the errors of positions are about as large as the gap. With a
+  /// gap that is far larger than errors and deviations the pair comes together later in the part.
   bool may_gain(const PathPart<T>& part, double gap_at_start) const {
     const double error = std::max(part.from.error, part.to.error);
     if (std::is_same_v<T, double> && !(gap_at_start > 8 * error)) return false;
     const double deviation = *std::ranges::max_element(part.deviations);
-    return deviation > 4 * error || part.length() > kShortest<T>;
+    return deviation > 4 * error || part.length() > kShortest<T> || gap_at_start > 64 * (error + deviation);
+  }
+
+  /// In double-double: are the features flat on each other at the end of the part, as far as it can tell, and is the
+  /// part a bracket? So lie features that turn in their common plane; shorter parts give no certificate either.
+  bool is_touch_in_bracket(const PathPart<T>& part) const {
+    if (std::is_same_v<T, double> || part.length() > question_.tolerance) return false;
+    constexpr std::array<double, 4> kNoDeviations{};
+    const auto end = Chords<kind, T>(part.to, part.to, kNoDeviations).at_ends();
+    return side_of(end.e.at1, end.f.at1, end.d.at1) == 0 && stays_inside<kind>(end);
   }
 
   bool cut_around_crossing(const PathPart<T>& part, const TimeInterval<double>& window) {
@@ -128,8 +137,7 @@ class PathSolver {
   std::optional<Decision> decided_further(const PathPart<T>& part, const PairMotion<BasicInterval<T>>& widened,
                                           bool crosses) {
     if constexpr (std::is_same_v<T, double>) {
-      const int most_parts = std::min(kMostWithinPart, fine_parts_left_);
-      PathSolver<kind, DoubleDouble> fine(question_, reader_, {part.from.time, part.to.time}, most_parts);
+      PathSolver<kind, DoubleDouble> fine(question_, reader_, {part.from.time, part.to.time}, fine_parts_left_);
       const Decision decision = fine.run();
       fine_parts_left_ -= fine.parts_looked_at();
       return decision.is_free() ? std::nullopt : std::optional(decision);

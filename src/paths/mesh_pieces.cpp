@@ -19,6 +19,14 @@ namespace tamis {
 namespace {
 
 constexpr double kShortestPiece = 0x1p-20;
+/// Shorter pieces than this follow the longest edge: parts of very different sizes would need a million pieces.
+constexpr double kShortestFinePiece = 0x1p-8;
+
+double longest_edge(const Mesh& mesh, const Positions& points) {
+  double longest = 0;
+  for (const Edge& edge : mesh.edges()) longest = std::max(longest, edge_length(edge, points));
+  return longest;
+}
 
 std::vector<Index> numbers_of(const Mesh& mesh, const Path& path) {
   if (path.vertex_count() != mesh.vertex_count())
@@ -58,9 +66,13 @@ std::vector<double> MeshPieces::deviations(double from, double to) const {
 /// most a sixteenth of the number of all vertices.
 double MeshPieces::end_of(const MeshMoment& start) const {
   if (!ends_.empty()) return *std::ranges::upper_bound(ends_, start.time);
-  const double allowed = deviation_in_units_ * std::max(mean_fine_edge(mesh_, start.points), separation_);
+  double allowed = deviation_in_units_ * std::max(mean_fine_edge(mesh_, start.points), separation_);
   double length = 1 - start.time;
-  for (; allowed > 0 && length > kShortestPiece; length *= kNearMiddle) {
+  for (bool is_fine = true; allowed > 0 && length > kShortestPiece; length *= kNearMiddle) {
+    if (is_fine && length <= kShortestFinePiece) {
+      allowed = std::max(allowed, deviation_in_units_ * longest_edge(mesh_, start.points));
+      is_fine = false;
+    }
     const std::vector<double> bounds = deviations(start.time, start.time + length);
     const auto deviates_more = [&](Index v) { return kShiftedChordPart * bounds[at(v)] > allowed; };
     const auto count = static_cast<std::size_t>(std::ranges::count_if(mesh_.points(), deviates_more));
@@ -80,9 +92,8 @@ void MeshPieces::adapt_length(std::size_t pairs) {
     deviation_in_units_ = std::max(deviation_in_units_ / kFactor, kChordDeviationInEdges);
 }
 
-std::vector<double> MeshPieces::displacements() const {
-  const MeshMoment from = moment_at(0), to = moment_at(1);
-  const std::vector<double> bounds = deviations(0, 1);
+std::vector<double> MeshPieces::displacements(const MeshMoment& from, const MeshMoment& to) const {
+  const std::vector<double> bounds = deviations(from.time, to.time);
   std::vector<double> farthest(all_.size());
   for (const Index index : mesh_.points()) {
     const std::size_t v = at(index);

@@ -40,8 +40,9 @@ class MeshPieces {
   const ShiftedChords& chords() const { return chords_; }
   /// Adapts the length of the next piece to the number of pairs that the last one left undecided.
   void adapt_length(std::size_t pairs);
-  /// For each vertex an upper bound of its distance from its start, at any time; 0 for vertices that take no part.
-  std::vector<double> displacements() const;
+  /// For each vertex an upper bound of its distance from its start, from `start`, at 0, until the time of `to`; 0 for
+  /// vertices that take no part.
+  std::vector<double> displacements(const MeshMoment& start, const MeshMoment& to) const;
 
  private:
   /// The path's deviations between two times, checked.

@@ -57,6 +57,8 @@ void Path::straight_directions(std::span<const Index>, std::span<Point> directio
   std::fill(directions.begin(), directions.end(), Point{0, 0, 0});
 }
 
+std::optional<CarriedPath> Path::carried(std::span<const Index>) const { return std::nullopt; }
+
 void check_point(Index vertex, double time, const Point& point, double error) {
   if (is_finite(point) && error >= 0) return;
   const std::string place = "vertex " + std::to_string(vertex) + " of the path at t = " + number_text(time);

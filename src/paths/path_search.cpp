@@ -12,6 +12,7 @@
 #include "numerics/floating_point_state.hpp"
 #include "numerics/in_parts.hpp"
 #include "paths/cached_path.hpp"
+#include "paths/carried_pair.hpp"
 #include "paths/decide_path.hpp"
 #include "query/cancellation.hpp"
 #include "topology/at.hpp"
@@ -43,10 +44,12 @@ struct PairRule {
   double separation;
   bool ignores_start;
 };
-PairRule rule_of(const MeshOnPath& asked, const Path& path, const Contact& pair) {
+/// A pair that is still keeps its whole distance.
+PairRule rule_of(const MeshOnPath& asked, const CarriedPair& carried, const Contact& pair) {
   const PairRule rule{asked.query.separations.between(pair.kind, pair.vertices), asked.query.ignores_start};
-  if (asked.keep == 0) return rule;
-  const KeptSeparation kept = kept_separation(path, pair.kind, pair.vertices, {asked.keep, rule.separation});
+  if (asked.keep == 0 || carried.is_still()) return rule;
+  const KeptSeparation kept =
+      kept_separation(carried.path(), pair.kind, carried.vertices(), {asked.keep, rule.separation});
   if (rule.ignores_start && kept.is_near_separation) return rule;
   return {kept.high, false};
 }
@@ -61,8 +64,7 @@ PathSearch::PathSearch(const Mesh& mesh, const MeshOnPath& asked, Engine& engine
       engine_(engine),
       statistics_(statistics),
       pieces_(mesh, asked.path, asked.ends, asked.query.separations.fixed),
-      searched_radii_(radii_to_search()),
-      searched_{query_.separations.fixed, searched_radii_},
+      start_(pieces_.moment_at(0)),
       parts_(kernels) {
   const auto& [fixed, radii] = query_.separations;
   TAMIS_ASSERT(fixed >= 0 && std::isfinite(fixed) && asked.tolerance > 0);
@@ -70,13 +72,13 @@ PathSearch::PathSearch(const Mesh& mesh, const MeshOnPath& asked, Engine& engine
 }
 
 /// A pair of clearance c that keeps no more than f c has lost (1 - f) c, which is at most w, both features'
-/// displacements together. So f c is at most f / (1 - f) w. Each feature adds its own displacement's part: so whether a
-/// pair is looked at depends on the pair alone.
-std::vector<double> PathSearch::radii_to_search() {
+/// displacements until then together. So f c is at most f / (1 - f) w. Each feature adds its own displacement's part:
+/// so whether a pair is looked at depends on the pair alone.
+std::vector<double> PathSearch::radii_to_search(const MeshMoment& to) const {
   std::vector<double> radii = neighbourhood_maximum(mesh_, query_.separations.radii);
   if (asked_.keep == 0) return radii;
   radii.resize(at(mesh_.vertex_count()));
-  const std::vector<double> displacements = pieces_.displacements();
+  const std::vector<double> displacements = pieces_.displacements(start_, to);
   for (std::size_t v = 0; v < radii.size(); ++v)
     radii[v] = (radii[v] + displacements[v] * asked_.keep / (1 - asked_.keep)) * kRoundedUp;
   return neighbourhood_maximum(mesh_, radii);
@@ -84,15 +86,17 @@ std::vector<double> PathSearch::radii_to_search() {
 
 std::vector<Contact> PathSearch::find() {
   bound_.begin(1, query_.answers());
-  for (MeshMoment from = pieces_.moment_at(0); from.time < 1 && from.time <= bound_.latest() && !bound_.is_settled();) {
+  for (MeshMoment from = start_; from.time < 1 && from.time <= bound_.latest() && !bound_.is_settled();) {
     stop_if_cancelled(query_);
     MeshMoment to = pieces_.next(from);
+    if (from.time == 0 || asked_.keep > 0) searched_radii_ = radii_to_search(to);
+    searched_ = {query_.separations.fixed, searched_radii_};
     search_chords(from, to);
     const std::size_t before = contacts_.size();
     decide_all(from, to);
     for (std::size_t i = before; i < contacts_.size(); ++i) {
       if (i % kBatch == 0) stop_if_cancelled(query_);
-      reported_.insert(key_of(contacts_[i]));
+      settled_.insert(key_of(contacts_[i]));
     }
     from = std::move(to);
   }
@@ -117,12 +121,12 @@ void PathSearch::search_chords(const MeshMoment& from, const MeshMoment& to) {
   candidates_.begin(chords, bound_on_piece_);
   engine_.find(chords, candidates_, statistics_);
   statistics_.decided_by += candidates_.decided_by();
-  pieces_.adapt_length(candidates_.contacts().size());
   std::size_t looked_at = 0;
   std::erase_if(candidates_.contacts(), [&](const Contact& pair) {
     if (++looked_at % kBatch == 0) stop_if_cancelled(query_);
-    return reported_.contains(key_of(pair));
+    return settled_.contains(key_of(pair));
   });
+  pieces_.adapt_length(candidates_.contacts().size());
 }
 
 /// Chords that come near later than a time of the piece may be left out where their curves may be left out then.
@@ -164,6 +168,7 @@ void PathSearch::decide(const TimeInterval<double>& piece, std::span<const std::
   struct Decided {
     PairResult result;
     std::optional<double> in_contact_until;  ///< of a pair that touches at the start and is ignored
+    bool is_settled = false;
   };
   const std::vector<Contact>& pairs = candidates_.contacts();
   const std::vector<Index> used = vertices_of(pairs, places);
@@ -172,22 +177,27 @@ void PathSearch::decide(const TimeInterval<double>& piece, std::span<const std::
   const auto decide_one = [&](std::size_t i) {
     stop_if_cancelled(query_);
     const Contact& pair = pairs[at(places[i])];
-    const PairRule rule = rule_of(asked_, paths.local(), pair);
-    const PathQuestion of_pair{paths.local(),   pair.kind,        pair.vertices,
+    const CarriedPair carried(paths.local(), pair.kind, pair.vertices);
+    const PairRule rule = rule_of(asked_, carried, pair);
+    const PathQuestion of_pair{carried.path(),  pair.kind,        carried.vertices(),
                                rule.separation, asked_.tolerance, query_.is_cancelled};
-    Decision decision = decide_on_path(of_pair, piece);
-    const bool may_touch_at_start = !decision.is_free() && decision.lower == piece.t_in;
-    if (rule.ignores_start && may_touch_at_start && is_in_first_contact(pair, piece.t_in)) {
-      const auto recontact = decide_recontact_on_path(of_pair, piece);
+    const TimeInterval<double> time = carried.is_still() ? TimeInterval<double>{0, 1} : piece;
+    Decision decision = decide_on_path(of_pair, time);
+    const bool may_touch_at_start = !decision.is_free() && decision.lower == time.t_in;
+    if (rule.ignores_start && may_touch_at_start && is_in_first_contact(pair, time.t_in)) {
+      std::optional<Decision> recontact;
+      if (!carried.is_still()) recontact = decide_recontact_on_path(of_pair, time);
       decision = recontact.value_or(Decision{});
-      decided[i].in_contact_until = recontact ? piece.t_in : piece.t_out;
+      decided[i].in_contact_until = recontact ? time.t_in : time.t_out;
     }
-    decided[i].result = result_on_path(of_pair, decision);
+    decided[i].result = carried.in_world(result_on_path(of_pair, decision));
+    decided[i].is_settled = carried.is_still();
   };
   tbb::parallel_for(std::size_t{0}, places.size(), as_task(decide_one));
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto& [r, until] = decided[i];
+    const auto& [r, until, is_settled] = decided[i];
     const Contact& pair = pairs[at(places[i])];
+    if (is_settled) settled_.insert(key_of(pair));
     if (until) in_contact_until_[key_of(pair)] = *until;
     statistics_.decided_by.scalar += !r.touches || r.certainty == Certainty::certified;
     statistics_.decided_by.unresolved += r.touches && r.certainty == Certainty::unresolved;

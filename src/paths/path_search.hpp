@@ -44,8 +44,9 @@ class PathSearch {
   using PairKey = std::tuple<PairKind, PairVertices>;
   static PairKey key_of(const Contact& pair) { return {pair.kind, pair.vertices}; }
 
-  /// For each vertex the distance around it in which pairs are searched, beyond the fixed separation.
-  std::vector<double> radii_to_search();
+  /// For each vertex the distance around it in which pairs are searched on a piece that ends at `to`, beyond the fixed
+  /// separation.
+  std::vector<double> radii_to_search(const MeshMoment& to) const;
   /// Leaves in candidates_ the pairs whose chords come within searched_ on a piece.
   void search_chords(const MeshMoment& from, const MeshMoment& to);
   void begin_bound_on_piece(const TimeInterval<double>& piece);
@@ -69,14 +70,17 @@ class PathSearch {
   Engine& engine_;
   Statistics& statistics_;
   MeshPieces pieces_;
-  const std::vector<double> searched_radii_;  ///< deviations are added to these, vertex by vertex
-  const Separations searched_;                ///< a pair that stays farther apart need not be looked at
+  const MeshMoment start_;              ///< at t=0
+  std::vector<double> searched_radii_;  ///< of the piece; deviations are added to these, vertex by vertex
+  Separations searched_;                ///< a pair that stays farther apart need not be looked at
   Bound bound_;                               ///< in times of the path
   Bound bound_on_piece_;                      ///< the same in times of the piece
   ContactCollector candidates_;
   PairsOnParts parts_;  ///< of the candidates
   std::vector<Contact> contacts_;
-  std::set<PairKey> reported_;  ///< pairs among the contacts
+  /// Pairs that later pieces need not ask about: those among the contacts, and those that do not move relative to each
+  /// other.
+  std::set<PairKey> settled_;
   /// Ignored pairs, which touch at the start, each with a time until which it is not known to have been apart: the end
   /// of a piece, or the start of the piece in which it came apart. Removed when the pair touches again.
   std::map<PairKey, double> in_contact_until_;

@@ -89,6 +89,11 @@ Body::Body(const Body& other) : Body(other.id_, other.shape_, other.motion_) {
   may_touch_itself = other.may_touch_itself;
 }
 
+Body::Body(const Body& other, std::size_t links) : Body(other.id_, other.shape_, Rigid{without(other.chain(), links)}) {
+  motion_kind_ = MotionKind::turning;
+  set_radius(other.radius_);
+}
+
 Body Body::moved(BodyMotion motion) const {
   Body moved(id_, shape_, std::move(motion));
   moved.radius_ = radius_;

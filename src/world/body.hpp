@@ -32,6 +32,9 @@ class Body {
   Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion);
   /// A copy without the detector.
   Body(const Body& other);
+  /// A copy for questions about other bodies, without the first links of its chain: it moves as the frame of these
+  /// links sees it. It counts as turning even if no other link turns. REQUIRES: it turns, and has so many links.
+  Body(const Body& other, std::size_t links);
   Body(Body&&) noexcept = default;
   Body& operator=(Body&&) noexcept = default;
   /// The body with another motion, of the same kind or another, and without the detector. Throws InvalidStep, naming

@@ -34,13 +34,14 @@ std::map<BodyId, Index> colors_of(const NearItems& items, const BodyList& bodies
 Gathered::Gathered(const BodyList& bodies, NearItems items, MotionKind least, const std::set<BodyPair>& excluded_pairs,
                    const Options& options)
     : items_(std::move(items)),
-      detector_(make_detector(bodies, least, excluded_pairs, options)),
+      least_(least),
+      carriers_(carriers(bodies)),
+      detector_(make_detector(bodies, excluded_pairs, options)),
       body_pairs_(make_body_pairs()) {}
 
-Detector Gathered::make_detector(const BodyList& bodies, MotionKind least, const std::set<BodyPair>& excluded_pairs,
-                                 Options options) {
+Detector Gathered::make_detector(const BodyList& bodies, const std::set<BodyPair>& excluded_pairs, Options options) {
   Mesh mesh = make_mesh(bodies);
-  options.filter = make_filter(bodies, least, excluded_pairs);
+  options.filter = make_filter(bodies, excluded_pairs);
   Detector detector(std::move(mesh), std::move(options));
   std::vector<double> radii;
   for (const Vertex& vertex : vertices_) radii.push_back(member(bodies, vertex.body).radius());
@@ -80,9 +81,8 @@ Mesh Gathered::make_mesh(const BodyList& bodies) {
 
 /// A group of the detector holds the bodies of one color. Its pairs need not be asked about: the bodies are not near
 /// each other, or are passive. So there are few groups, however many bodies and radii.
-PairFilter Gathered::make_filter(const BodyList& bodies, MotionKind least,
-                                 const std::set<BodyPair>& excluded_pairs) const {
-  const std::map<BodyId, Index> colors = colors_of(items_, bodies, least);
+PairFilter Gathered::make_filter(const BodyList& bodies, const std::set<BodyPair>& excluded_pairs) const {
+  const std::map<BodyId, Index> colors = colors_of(items_, bodies, least_);
   std::size_t count = 1;
   for (const auto& [id, color] : colors) count = std::max(count, at(color) + 1);
   PairFilter filter;
@@ -96,10 +96,15 @@ PairFilter Gathered::make_filter(const BodyList& bodies, MotionKind least,
   std::set<BodyPair> excluded;
   for (const BodyPair& pair : excluded_pairs)
     if (is_here(pair[0]) && is_here(pair[1])) excluded.insert(pair);
-  if (excluded.empty()) return filter;
-  filter.accepts = [this, excluded](PairKind kind, const PairVertices& v) {
+  // The carrier of each body, if there are fewer of these.
+  std::map<BodyId, BodyId> carrier_of;
+  for (const auto& [id, unused] : items_.of_body) carrier_of.emplace(id, carriers_[carrier_of.size()]);
+  if (std::set(carriers_.begin(), carriers_.end()).size() == carriers_.size()) carrier_of.clear();
+  if (excluded.empty() && carrier_of.empty()) return filter;
+  filter.accepts = [this, excluded, carrier_of](PairKind kind, const PairVertices& v) {
     const BodyId a = body_of(v[0]), b = body_of(v[second_feature(kind)]);
-    return !excluded.contains({std::min(a, b), std::max(a, b)});
+    return !excluded.contains({std::min(a, b), std::max(a, b)}) &&
+           (carrier_of.empty() || carrier_of.at(a) != carrier_of.at(b));
   };
   return filter;
 }
@@ -116,11 +121,21 @@ BodyPairs Gathered::make_body_pairs() const {
   return {static_cast<Index>(places.size()), std::move(place_of_vertex), pairs};
 }
 
+std::vector<BodyId> Gathered::body_ids() const {
+  std::vector<BodyId> ids;
+  for (const auto& [id, unused] : items_.of_body) ids.push_back(id);
+  return ids;
+}
+
+std::vector<BodyId> Gathered::carriers(const BodyList& bodies) const {
+  return least_ == MotionKind::turning ? first_of_carrier(bodies, body_ids()) : body_ids();
+}
+
 bool Gathered::keeps_motion_kinds(const BodyList& bodies) const {
   auto kind = motion_kinds_.begin();
   for (const auto& [id, unused] : items_.of_body)
-    if (member(bodies, id).motion_kind() != *kind++) return false;
-  return true;
+    if (!bodies[at(id)] || member(bodies, id).motion_kind() != *kind++) return false;
+  return carriers(bodies) == carriers_;
 }
 
 Positions Gathered::start(const BodyList& bodies) {

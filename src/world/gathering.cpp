@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "curves/curvature.hpp"
+#include "motion/time_clip.hpp"
 #include "numerics/error_bounds.hpp"
 #include "numerics/held_bytes.hpp"
 #include "paths/mesh_pieces.hpp"
@@ -69,19 +70,19 @@ std::vector<BodyPair> World::State::wanted_pairs(const Gathering& gathering, std
   return pairs;
 }
 
-bool World::State::gather(Gathering& gathering, const NearDistance& distance, const std::vector<BodyPair>& pairs,
-                          std::span<const double> times) {
+bool World::State::gather(Gathering& gathering, const BodyList& seen, const NearDistance& distance,
+                          const std::vector<BodyPair>& pairs, std::span<const double> times) {
   if (pairs.empty()) return false;
-  if (gathering.serves(bodies, pairs, distance)) {
+  if (gathering.serves(seen, pairs, distance)) {
     ++gathering.served;
     return true;
   }
-  const bool is_usable = gathering.gathered && gathering.gathered->keeps_motion_kinds(bodies);
-  const bool counts = !is_usable || ++gathering.searched % kSearchesPerCount == 0;
+  const bool is_usable = gathering.gathered && gathering.gathered->keeps_motion_kinds(seen);
+  const bool counts = !is_usable || gathering.serves_once() || ++gathering.searched % kSearchesPerCount == 0;
   // All needed items if `counts`; else the gathered items, which are not tested again, and new ones.
   NearItems near_now;
   if (!counts) near_now.of_body = gathering.gathered->items().of_body;
-  add_near_items(bodies, pairs, distance, times, options, near_now);
+  add_near_items(seen, pairs, distance, times, options, near_now);
   if (near_now.pairs.empty()) return false;
   const bool has_shrunk = counts && kShrunk * near_now.count() < gathering.needed_when_gathered;
   if (is_usable && !has_shrunk && gathering.gathered->items().includes(near_now)) {
@@ -90,34 +91,35 @@ bool World::State::gather(Gathering& gathering, const NearDistance& distance, co
   }
   if (!counts) {
     near_now = {};
-    add_near_items(bodies, pairs, distance, times, options, near_now);
+    add_near_items(seen, pairs, distance, times, options, near_now);
   }
-  gather_anew(gathering, distance, near_now, times);
+  gather_anew(gathering, seen, pairs, distance, near_now, times);
   return true;
 }
 
-void World::State::gather_anew(Gathering& gathering, NearDistance distance, const NearItems& needed,
-                               std::span<const double> times) {
+void World::State::gather_anew(Gathering& gathering, const BodyList& seen, const std::vector<BodyPair>& near,
+                               NearDistance distance, const NearItems& needed, std::span<const double> times) {
   double edge = 0;  // of the finest body: parts of a coarse edge would gather all of a fine body
   for (const auto& [id, unused] : needed.of_body)
-    if (const double own = bodies[at(id)]->shape().edge; edge == 0 || (0 < own && own < edge)) edge = own;
+    if (const double own = seen[at(id)]->shape().edge; edge == 0 || (0 < own && own < edge)) edge = own;
   double in_edges = gathering.margin_in_edges;
   if (!gathering.motions.empty() && gathering.served < kQueriesWorthGathering)
     in_edges = std::min(2 * in_edges, kMostMarginInEdges);
-  NearItems items;
-  std::vector<BodyPair> pairs;
-  while (true) {
+  const int in_vain = gathering.gathered && gathering.served == 0 ? gathering.in_vain + 1 : 0;
+  NearItems items = needed;
+  std::vector<BodyPair> pairs = near;
+  while (!gathering.serves_once()) {
     distance.margin = std::min(in_edges * edge, std::numeric_limits<double>::max());  // less than unknown deviations
-    pairs = wanted_pairs(gathering, near_bodies(distance));
+    pairs = &seen == &bodies ? wanted_pairs(gathering, near_bodies(distance)) : near;
     items = needed;
-    add_near_items(bodies, pairs, distance, times, options, items);
+    add_near_items(seen, pairs, distance, times, options, items);
     if (in_edges <= kLeastMarginInEdges || items.count() <= kMostItemsPerNeeded * needed.count()) break;
     in_edges = std::max(in_edges / 2, kLeastMarginInEdges);
   }
   stop_if_cancelled(options);
   std::map<BodyId, BodyMotion> motions;
-  if (distance.displacement_factor == 0) motions = straight_motions(bodies, pairs);
-  gathering.gathered = std::make_unique<Gathered>(bodies, std::move(items), gathering.least, excluded_pairs, options);
+  if (distance.displacement_factor == 0) motions = straight_motions(seen, pairs);
+  gathering.gathered = std::make_unique<Gathered>(seen, std::move(items), gathering.least, excluded_pairs, options);
   stop_if_cancelled(options);
   // Nothing throws from here on; an exception before leaves the gathering as it was.
   gathering.motions = std::move(motions);
@@ -125,15 +127,16 @@ void World::State::gather_anew(Gathering& gathering, NearDistance distance, cons
   gathering.margin_in_edges = in_edges;
   gathering.needed_when_gathered = needed.count();
   gathering.served = 0;
+  gathering.in_vain = in_vain;
   gathering.searched = 0;
 }
 
-std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& pairs,
-                                                  const NearDistance& distance) const {
+std::vector<double> World::State::times_of_pieces(const BodyList& seen, const std::vector<BodyPair>& pairs,
+                                                  const NearDistance& distance) {
   double pieces = 1;
   const Interval whole_step = chord_factor(Interval(1));
   for (const BodyPair& pair : pairs) {
-    const Body &a = *bodies[at(pair[0])], &b = *bodies[at(pair[1])];
+    const Body &a = *seen[at(pair[0])], &b = *seen[at(pair[1])];
     const double allowed = kChordDeviationInEdges * std::max({a.shape().edge, b.shape().edge, distance.between(a, b)});
     const double acceleration = a.curvature().acceleration + b.curvature().acceleration;
     const double deviation = kShiftedChordPart * Curvature{acceleration}.deviation(whole_step);
@@ -142,6 +145,14 @@ std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& p
   pieces = std::min(pieces, kMostPieces);
   constexpr double kNoSimplePart = 0.02565;  // contacts happen at simple fractions
   std::vector<double> times{0};
+  // How far a pair must be searched grows with its displacement since t=0 (PathSearch::radii_to_search).
+  constexpr double kFirstPiece = 0x1p-6;
+  const double first = pieces > 1 ? (1 - kNoSimplePart) / pieces : 1;
+  if (distance.displacement_factor > 0) {
+    constexpr double kGrowth = kNearMiddle * kNearMiddle;
+    for (double time = first * kGrowth; time > kFirstPiece; time *= kGrowth) times.push_back(time);
+    std::ranges::sort(times);
+  }
   for (int piece = 1; piece < pieces; ++piece) times.push_back((piece - kNoSimplePart) / pieces);
   times.push_back(1);
   return times;

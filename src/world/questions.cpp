@@ -46,27 +46,41 @@ void World::State::for_each_by_itself(const F& f) {
 }
 
 template <class Ask>
+bool World::State::ask_turning(Gathering& gathering, const BodyList& seen, const Chain& carrier,
+                               const std::vector<BodyPair>& pairs, const NearDistance& distance,
+                               const QueryOptions& asked, const Ask& ask) {
+  const std::vector<double> times = times_of_pieces(seen, pairs, distance);
+  if (!gather(gathering, seen, distance, pairs, times)) return true;
+  Gathered& gathered = *gathering.gathered;
+  gathered.set_carrier(carrier);
+  try {
+    const RigidPath path = gathered.path(seen);
+    const CutPath pieces{path, std::span(times).subspan(1)};
+    return ask_one(gathered.detector(), ask, pieces, of_curves(asked), gathered);
+  } catch (const InvalidPath&) {
+    refuse_far(gathered);
+    throw;
+  }
+}
+
+template <class Ask>
 void World::State::for_each_moving(const QueryOptions& asked, double displacement_factor, const Ask& ask) {
   constexpr double kEndsOfStep[] = {0, 1};
   validate_of_path(asked);
   const NearDistance distance{asked.min_separation.value_or(options.min_separation), displacement_factor};
   const std::vector<BodyPair> near = near_bodies(distance);
-  if (gather(straight_, distance, wanted_pairs(straight_, near), kEndsOfStep)) {
+  if (gather(straight_, bodies, distance, wanted_pairs(straight_, near), kEndsOfStep)) {
     Gathered& gathered = *straight_.gathered;
     if (!ask_one(gathered.detector(), ask, gathered.step(bodies), of_steps(asked), gathered)) return;
   }
-  const std::vector<BodyPair> turning = wanted_pairs(turning_, near);
-  const std::vector<double> times = times_of_pieces(turning, distance);
-  if (gather(turning_, distance, turning, times)) {
-    Gathered& gathered = *turning_.gathered;
-    try {
-      const RigidPath path = gathered.path(bodies);
-      const CutPath pieces{path, std::span(times).subspan(1)};
-      if (!ask_one(gathered.detector(), ask, pieces, of_curves(asked), gathered)) return;
-    } catch (const InvalidPath&) {
-      refuse_far(gathered);
-      throw;
-    }
+  if (!ask_turning(turning_, bodies, {}, wanted_pairs(turning_, near), distance, asked, ask)) return;
+  for (const CarriedPairs& carried : carried_pairs(bodies, near)) {
+    const std::pair key(carried.carrier.size(), carried.pairs.front()[0]);
+    Gathering& gathering =
+        carried_.try_emplace(key, Gathering{MotionKind::turning, MotionKind::turning, 0.5}).first->second;
+    const std::vector<BodyId> gathered = gathering.gathered ? gathering.gathered->body_ids() : std::vector<BodyId>();
+    const BodyList seen = carried.in_frame(bodies, gathered);
+    if (!ask_turning(gathering, seen, carried.carrier, carried.pairs, distance, asked, ask)) return;
   }
   for_each_by_itself([&](BodyId id, Body& body) {
     return ask_one(body.self_detector(options), ask, body.step(), of_steps(asked), id);
@@ -77,7 +91,7 @@ template <class Ask>
 void World::State::for_each_at_rest(double distance, const Ask& ask) {
   constexpr double kEndsOfRest[] = {0, 0};
   const NearDistance near{.separation = distance, .is_at_start = true};
-  if (gather(at_rest_, near, near_bodies(near), kEndsOfRest)) {
+  if (gather(at_rest_, bodies, near, near_bodies(near), kEndsOfRest)) {
     Gathered& gathered = *at_rest_.gathered;
     if (!ask_one(gathered.detector(), ask, gathered.start(bodies), gathered)) return;
   }

@@ -110,6 +110,7 @@ void World::State::refuse_twice(std::span<const BodyId> ids) {
 
 void World::State::drop_gathered() {
   for (Gathering* gathering : {&straight_, &turning_, &at_rest_}) gathering->gathered = nullptr;
+  carried_.clear();
 }
 
 void World::State::forget_gathered(const Body& changed) {
@@ -147,6 +148,7 @@ void World::State::add_statistics(const Statistics& of_part) {
 std::uint64_t World::State::memory_bytes() const {
   std::uint64_t bytes = held_bytes(bodies);
   for (const Gathering* gathering : {&straight_, &turning_, &at_rest_}) bytes += held_bytes(*gathering);
+  for (const auto& [key, gathering] : carried_) bytes += held_bytes(gathering);
   return bytes;
 }
 

@@ -54,16 +54,25 @@ struct World::State {
   /// distance.
   std::vector<BodyPair> near_bodies(const NearDistance& distance);
   std::vector<BodyPair> wanted_pairs(const Gathering& gathering, std::vector<BodyPair> pairs) const;
-  /// Makes `gathering` hold all items that come within the distance; returns false if none do. `pairs`: wanted_pairs()
-  /// of near_bodies(). REQUIRES: no margin. `times`: the ends of pieces, beginning with 0.
-  bool gather(Gathering& gathering, const NearDistance& distance, const std::vector<BodyPair>& pairs,
-              std::span<const double> times);
-  void gather_anew(Gathering& gathering, NearDistance distance, const NearItems& needed, std::span<const double> times);
+  /// Makes `gathering` hold all items that come within the distance; returns false if none do. `seen`: `bodies`, or
+  /// those that a frame sees. `pairs`: wanted_pairs() of near_bodies(), or those of the frame. REQUIRES: no margin.
+  /// `times`: the ends of pieces, beginning with 0.
+  bool gather(Gathering& gathering, const BodyList& seen, const NearDistance& distance,
+              const std::vector<BodyPair>& pairs, std::span<const double> times);
+  void gather_anew(Gathering& gathering, const BodyList& seen, const std::vector<BodyPair>& near, NearDistance distance,
+                   const NearItems& needed, std::span<const double> times);
   /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
-  std::vector<double> times_of_pieces(const std::vector<BodyPair>& pairs, const NearDistance& distance) const;
+  static std::vector<double> times_of_pieces(const BodyList& seen, const std::vector<BodyPair>& pairs,
+                                             const NearDistance& distance);
+  /// Asks about pairs of which one body turns, in the world or in a frame (`seen`, as for gather()); returns false if
+  /// no more is to be asked.
+  template <class Ask>
+  bool ask_turning(Gathering& gathering, const BodyList& seen, const Chain& carrier, const std::vector<BodyPair>& pairs,
+                   const NearDistance& distance, const QueryOptions& asked, const Ask& ask);
   /// Calls ask(state of a detector, motion, options, whose) for each detector, until one call returns false: with a
-  /// Step and the gathered bodies that go straight; with a CutPath and those of which one turns; with the Step and the
-  /// number of each deforming body. `displacement_factor`: as in NearDistance. Throws InvalidOptions.
+  /// Step and the gathered bodies that go straight; with a CutPath and those of which one turns, also in each frame of
+  /// bodies that turn together; with the Step and the number of each deforming body. `displacement_factor`: as in
+  /// NearDistance. Throws InvalidOptions.
   template <class Ask>
   void for_each_moving(const QueryOptions& asked, double displacement_factor, const Ask& ask);
   /// The same in the pose at t=0, for all items that come within the distance: ask(state of a detector, pose, whose).
@@ -92,6 +101,7 @@ struct World::State {
   Gathering straight_{MotionKind::straight, MotionKind::straight, 1};
   Gathering turning_{MotionKind::turning, MotionKind::turning, 0.5};
   Gathering at_rest_{MotionKind::straight, MotionKind::turning, 1};
+  std::map<std::pair<std::size_t, BodyId>, Gathering> carried_;  ///< by the number of shared links and the first body
 };
 
 /// The options for detectors that are asked about curves. With AtStart::fail contacts at the start are reported, and

@@ -16,6 +16,7 @@ class CountedPath final : public Path {
   }
   void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const override {
     ++asked;
+    ++asked_finely;
     path_.fine_points_at(time, vertices, points);
   }
   void deviations(double from, double to, std::span<const Index> vertices,
@@ -25,7 +26,7 @@ class CountedPath final : public Path {
   void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const override {
     path_.straight_directions(vertices, directions);
   }
-  mutable int asked = 0;
+  mutable int asked = 0, asked_finely = 0;
 
  private:
   const Path& path_;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "tamis/error.hpp"
+#include "tamis/pair_distance.hpp"
 #include "world/oracle_world.hpp"
 #include "world/simple_shapes.hpp"
 
@@ -148,6 +149,50 @@ TEST(World, CutsTurnsNoFinerThanASeparationAsks) {
   world.add(speck, Rigid{{{{{}, {0, 0, -3}}, turn}, {arm, arm}}});
   EXPECT_FALSE(world.contacts().empty());
   EXPECT_LT(world.statistics().nodes_visited, 1000U);
+}
+
+// Bugs: pairs are searched as far as they move in the whole step, so each is decided: n^2; or not as far as they have
+// moved until then.
+TEST(World, SafeStepsSearchAsFarAsPairsHaveMoved) {
+  std::vector<Point> points;
+  std::vector<Face> faces;
+  constexpr Index kCells = 4;
+  for (Index i = 0; i <= kCells; ++i)
+    for (Index j = 0; j <= kCells; ++j) {
+      points.push_back({double(i) / kCells - 0.5, double(j) / kCells - 0.5, 0});
+      const Index v = i * (kCells + 1) + j;
+      if (i == kCells || j == kCells) continue;
+      faces.push_back({v, v + kCells + 1, v + kCells + 2});
+      faces.push_back({v, v + kCells + 2, v + 1});
+    }
+  const Shape square(Mesh(static_cast<Index>(points.size()), faces), points);
+  World world(one_thread());
+  world.add(square, Rigid{{{{}, {{0, 0, 0}, {0, 0, 1}}}}});
+  world.add(square, Rigid{{{{{1.45, 0, 0.01}, {}}, {{1.45, 0, 0.01}, {0, 0, -1}}}}});
+  for (const double keep : {0.1, 0.5, 0.9}) {
+    const BodyStep step = world.safe_step(keep);
+    ASSERT_TRUE(step.pair.has_value());
+    EXPECT_LT(world.statistics().decided_by.scalar, 700u) << keep;
+    // The least part of its distance that any two vertices or edges keep, by samples.
+    const auto least_kept = [&](double time) {
+      double least = 1;
+      std::vector<Point> all[2];
+      for (std::size_t at = 0; at < 2; ++at)
+        for (const BodyId body : {0, 1}) {
+          const auto here = world.points_at(body, at == 0 ? 0 : time).points;
+          all[at].insert(all[at].end(), here.begin(), here.end());
+        }
+      const auto count = static_cast<Index>(points.size());
+      for (const Edge& a : square.mesh().edges())
+        for (const Edge& b : square.mesh().edges()) {
+          const Pair pair{PairKind::edge_edge, {a[0], a[1], b[0] + count, b[1] + count}};
+          least = std::min(least, distance_of(pair, all[1]).distance / distance_of(pair, all[0]).distance);
+        }
+      return least;
+    };
+    for (int i = 0; i < 8; ++i) EXPECT_GE(least_kept(step.lower * i / 8), keep) << keep;
+    EXPECT_NEAR(least_kept(step.lower), keep, 1e-5) << keep;
+  }
 }
 
 }  // namespace

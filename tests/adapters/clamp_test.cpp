@@ -201,6 +201,31 @@ TEST(Clamp, PartsBodiesNearerThanAGapWithoutSpeed) {
   EXPECT_NEAR(clamped.ends[0].velocity.linear[2], 0, 1e-9);
 }
 
+/// Two bodies that are so near each other, at no place where one carries the other.
+Beginning at_distance(const BodyPair& bodies, double distance) { return {{}, {{bodies, NearBodies{distance, {}}}}}; }
+
+TEST(Clamp, LetsStandWhoIsKnownToBeTooNear) {
+  World world;
+  const BodyId floor = world.add(plate(), Static{});
+  Table step;
+  step.add(world.add(plate(), Static{at_height(4e-4)}), at_height(4e-4), at_height(-1));
+  EXPECT_GT(clamp(world, step, {}, {.gap = 0.01}).ends[0].fraction, 0);
+  const Beginning near = at_distance({floor, step.moving()[0]}, 4e-4);
+  const ClampedStep clamped = clamp(world, step, near, {.gap = 0.01});
+  EXPECT_EQ(clamped.ends[0].fraction, 0);
+  EXPECT_NEAR(clamped.ends[0].velocity.linear[2], 0, 1e-9) << "the speed with which it met the floor";
+}
+
+/// Bug: it stood, step after step, while gravity added to the speed with which it wanted to go on.
+TEST(Clamp, LetsGoWhoIsTooNearAndMeetsLate) {
+  World world;
+  const BodyId floor = world.add(plate(), Static{});
+  Table step;
+  const Pose start = at_height(4e-4), end{{0.5, 0, -1e-3}, {}};
+  step.add(world.add(plate(), Static{start}), start, end);
+  EXPECT_GT(clamp(world, step, at_distance({floor, step.moving()[0]}, 4e-4), {.gap = 0.01}).ends[0].fraction, 0.1);
+}
+
 /// A body that could be seen when the step began, and is stopped, does not want to go on.
 TEST(Clamp, StopsTheSpeedAtWhichBodiesMeet) {
   Table step;

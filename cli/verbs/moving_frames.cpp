@@ -58,7 +58,7 @@ std::vector<Point> MovingFrames::read(std::size_t i) const {
   io::MeshFile frame = io::read_mesh(paths_[i]);
   if (weld_ && weld_->first_of_vertex().size() == frame.positions.size()) weld_->apply_to(frame);
   io::require_same_mesh(first_, paths_.front().string(), frame, paths_[i].string());
-  for (const std::string& sentence : frame.notes)
+  for (const std::string& sentence : frame.notes_of_later_frame())
     if (std::find(first_.notes.begin(), first_.notes.end(), sentence) == first_.notes.end())
       note(fmt::format("{}: {}", paths_[i].string(), sentence));
   return std::move(frame.positions);

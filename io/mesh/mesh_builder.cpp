@@ -23,12 +23,14 @@ MeshFile MeshBuilder::finish() {
   Polygons polygons;
   mesh_.faces.reserve(mesh_.corner_counts.size());
   polygons.cut_all(mesh_.corner_counts, mesh_.corners, mesh_.positions, mesh_.faces);
+  const std::size_t notes = mesh_.notes.size();
   for (std::string& note : polygons.notes()) add_note(std::move(note));
   if (!polygons.are_any_cut()) {
     mesh_.corner_counts = {};
     mesh_.corners = {};
   }
   if (std::string note = note_on_spacing(mesh_); !note.empty()) add_note(std::move(note));
+  mesh_.surface_notes = mesh_.notes.size() - notes;
   return std::move(mesh_);
 }
 

@@ -20,7 +20,13 @@ struct MeshFile {
   std::vector<std::string> notes;  ///< what a reader should know: polygons cut, elements skipped
   /// Of a file with polygons of more than three corners: the number of corners of each face, and all corners in turn.
   std::vector<Index> corner_counts = {}, corners = {};
-  bool are_floats = false;  ///< coordinates are stored in single precision
+  bool are_floats = false;        ///< coordinates are stored in single precision
+  std::size_t surface_notes = 0;  ///< how many of the notes, the last ones, are about triangles and edges
+
+  /// What to know about a later frame of a mesh: it has the triangles of the first.
+  std::span<const std::string> notes_of_later_frame() const {
+    return std::span(notes).first(notes.size() - surface_notes);
+  }
 };
 
 /// Reads a file of any of the mesh_formats(). Every index is in range and there is at least one feature. Throws

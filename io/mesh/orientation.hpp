@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace tamis::io {
 
@@ -15,14 +16,14 @@ class ExactSum {
  public:
   void add(double x) {
     std::size_t kept = 0;
-    for (std::size_t i = 0; i < size_; ++i) {
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
       const double sum = x + terms_[i], part = sum - x;
       const double error = (x - (sum - part)) + (terms_[i] - part);
       if (error != 0) terms_[kept++] = error;
       x = sum;
     }
-    if (x != 0) terms_[kept++] = x;
-    size_ = kept;
+    terms_.resize(kept);
+    if (x != 0) terms_.push_back(x);
   }
   /// Adds a b. Exact unless the product's last bit is below the least double.
   void add_product(double a, double b) {
@@ -30,12 +31,10 @@ class ExactSum {
     add(std::fma(a, b, -product));
     add(product);
   }
-  int sign() const { return size_ == 0 ? 0 : terms_[size_ - 1] > 0 ? 1 : -1; }
+  int sign() const { return terms_.empty() ? 0 : terms_.back() > 0 ? 1 : -1; }
 
  private:
-  /// Terms do not overlap, so there are at most 2098 / 53 + 1 of them, and one while a number is added.
-  std::array<double, 42> terms_;
-  std::size_t size_ = 0;
+  std::vector<double> terms_;  ///< the largest last
 };
 
 /// 1 if c lies to the left of the line from a to b, -1 to the right, 0 on it. Doubles decide the clear cases: their

@@ -19,15 +19,22 @@ bool scale(std::vector<Point>& points) {
       largest = std::max(largest, std::abs(x));
     }
   if (largest == 0) return true;
+  // In two factors, each of which is a double whatever the size.
   const int exponent = kLargestExponent - std::ilogb(largest);
+  const double first = std::ldexp(1, exponent / 2), second = std::ldexp(1, exponent - exponent / 2);
   for (Point& p : points)
-    for (double& x : p) x = std::ldexp(x, exponent);
+    for (double& x : p) x = x * first * second;
   return true;
 }
 
 /// Twice the areas in the planes across the three axes (Newell), rounded.
-Point areas_of(const std::vector<Point>& points) {
-  Point areas{};
+struct Areas {
+  Point across{};
+  double products = 0;  ///< the sum of the sizes of all products that are in them
+};
+
+Areas areas_of(const std::vector<Point>& points) {
+  Areas areas;
   const Point& origin = points[0];
   for (std::size_t i = 2; i < points.size(); ++i) {
     Point a, b;
@@ -37,7 +44,8 @@ Point areas_of(const std::vector<Point>& points) {
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t x = (axis + 1) % 3, y = (axis + 2) % 3;
-      areas[axis] += a[x] * b[y] - a[y] * b[x];
+      areas.across[axis] += a[x] * b[y] - a[y] * b[x];
+      areas.products += std::abs(a[x] * b[y]) + std::abs(a[y] * b[x]);
     }
   }
   return areas;
@@ -95,10 +103,13 @@ bool Triangulation::project(std::span<const Point> positions, PolygonDoubts& dou
   scaled_.clear();
   for (const Index corner : corners_) scaled_.push_back(positions[static_cast<std::size_t>(corner)]);
   if (!scale(scaled_)) return false;
-  const Point areas = areas_of(scaled_);
+  const auto [areas, products] = areas_of(scaled_);
   const auto larger = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const auto axis = static_cast<std::size_t>(std::max_element(areas.begin(), areas.end(), larger) - areas.begin());
-  const int turn = turn_of(scaled_, axis);
+  // A million corners round by less than this.
+  constexpr double kClear = 1e-9;
+  const bool is_clear = std::abs(areas[axis]) > kClear * products;
+  const int turn = is_clear ? (areas[axis] > 0 ? 1 : -1) : turn_of(scaled_, axis);
   doubts.is_tangled = turn == 0;
   if (turn == 0) return false;
   doubts.is_bent = is_bent(scaled_, areas);

@@ -24,16 +24,18 @@ MovingFrames::MovingFrames(const std::vector<std::string>& names, std::size_t le
 void MovingFrames::note_order(const std::vector<std::string>& names) const {
   if (io::has_own_order(names)) note(kNaturalOrder);
   std::string doubt;
-  for (std::size_t i = 1; i < paths_.size() && paths_.size() > 2; ++i) {
-    if (!gaps_[i].empty()) note(fmt::format("{}: {}", paths_[i].string(), gaps_[i]));
-    if (!doubt.empty()) continue;
+  for (std::size_t i = 1; i < paths_.size() && paths_.size() > 2 && doubt.empty(); ++i)
     if (doubt = io::doubt_about_order(paths_[i - 1], paths_[i]); !doubt.empty())
       note(fmt::format("{}: {}", paths_[i].string(), doubt));
-  }
 }
 
 std::size_t MovingFrames::step_count() const {
   return static_cast<std::size_t>(std::ranges::count(gaps_.begin() + 1, gaps_.end(), std::string()));
+}
+
+void MovingFrames::note_gaps() const {
+  for (std::size_t i = 0; i < paths_.size(); ++i)
+    if (!follows(i)) note(fmt::format("{}: {}", paths_[i].string(), gaps_[i]));
 }
 
 void MovingFrames::require_no_gap() const {

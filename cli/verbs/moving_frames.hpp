@@ -28,6 +28,8 @@ class MovingFrames {
   bool follows(std::size_t i) const { return gaps_[i].empty(); }
   /// How many steps lead from a frame to the next.
   std::size_t step_count() const;
+  /// Notes on stderr which steps are left out.
+  void note_gaps() const;
   /// For callers who cannot leave out a step. Throws io::FileError if frames are missing.
   void require_no_gap() const;
   /// Reads frame i. Prints its notes on stderr, except those that the first frame has, too. Throws

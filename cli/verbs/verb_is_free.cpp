@@ -43,6 +43,7 @@ class IsFree final : public MotionVerb {
   int run() override {
     check();
     const MovingFrames frames(names_, 2, weld_distance());
+    frames.note_gaps();
     Detector detector = detector_for(io::mesh_of(frames.first()));
     if (!start_.passes(detector, frames.first().positions)) return start_.refuse(detector, json_, {{"free", false}});
     Timing timing;

@@ -30,6 +30,7 @@ class Sequence final : public SequenceVerb {
   int run() override {
     check();
     const MovingFrames frames(names_, 2, weld_distance());
+    frames.note_gaps();
     Detector detector = detector_for(io::mesh_of(frames.first()));
     if (!start_.passes(detector, frames.first().positions)) return start_.refuse(detector, json_, Json::object());
     SequenceTable table(frames.paths(), substeps_, json_);

@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "io/error.hpp"
 #include "io/mesh/mesh_file.hpp"
+#include "io/text.hpp"
 
 namespace tamis::io {
 
@@ -44,6 +46,19 @@ class MeshBuilder {
   MeshFile mesh_;
   std::vector<std::pair<std::size_t, std::string>> not_finite_;  ///< vertices, and where the file has them
 };
+
+/// Takes three numbers off the front of `rest`; `refuse` throws what is said of a word that is no number.
+template <class Refuse>
+Point take_point(std::string_view& rest, const Refuse& refuse) {
+  Point p;
+  for (double& x : p) {
+    const std::string_view word = take_word(rest);
+    const auto value = to_double(word);
+    if (!value) refuse(fmt::format("{} is no number: a vertex needs three coordinates", in_quotes(word)));
+    x = *value;
+  }
+  return p;
+}
 
 /// Notes a last line without a line end: the text may have been cut inside its last number, and nothing else shows it.
 void note_open_end(std::string_view text, MeshBuilder& mesh);

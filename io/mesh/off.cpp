@@ -63,13 +63,7 @@ class OffParser {
 
   void add_vertex() {
     require_line();
-    Point p;
-    for (double& x : p) {
-      const std::string_view word = take_word(rest_);
-      const auto value = to_double(word);
-      if (!value) fail(fmt::format("{} is no number: a vertex needs three coordinates", in_quotes(word)));
-      x = *value;
-    }
+    const Point p = take_point(rest_, [&](const std::string& what) { fail(what); });
     mesh_.add_vertex(p, [&] { return fmt::format("line {}", lines_.number()); });
   }
 

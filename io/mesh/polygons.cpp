@@ -24,9 +24,16 @@ void Polygons::cut(std::span<const Index> corners, std::span<const Point> positi
 }
 
 std::vector<std::string> Polygons::notes() const {
+  std::vector<std::string> notes = doubts();
+  if (cut_ > 0)
+    notes.insert(notes.begin(),
+                 cut_ == 1 ? "1 polygon of more than three corners was cut into triangles"
+                           : fmt::format("{} polygons of more than three corners were cut into triangles", cut_));
+  return notes;
+}
+
+std::vector<std::string> Polygons::doubts() const {
   std::vector<std::string> notes;
-  if (cut_ == 1) notes.emplace_back("1 polygon of more than three corners was cut into triangles");
-  if (cut_ > 1) notes.push_back(fmt::format("{} polygons of more than three corners were cut into triangles", cut_));
   if (bent_.count > 0)
     notes.push_back(bent_.text("polygon is not flat", "polygons are not flat") +
                     ": other programs may cut them into other surfaces");

@@ -19,7 +19,9 @@ class Polygons {
   /// Had any polygon more than three corners?
   bool are_any_cut() const { return cut_ > 0; }
 
-  /// Sentences on polygons that were cut, are bent, or are tangled.
+  /// Sentences on polygons that are bent or tangled.
+  std::vector<std::string> doubts() const;
+  /// Before these, how many were cut.
   std::vector<std::string> notes() const;
 
  private:

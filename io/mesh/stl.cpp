@@ -110,13 +110,7 @@ class AsciiParser {
   }
 
   void add_corner() {
-    Point p;
-    for (double& x : p) {
-      const std::string_view word = take_word(rest_);
-      const auto value = to_double(word);
-      if (!value) fail(fmt::format("{} is no number: a vertex needs three coordinates", in_quotes(word)));
-      x = *value;
-    }
+    const Point p = take_point(rest_, [&](const std::string& what) { fail(what); });
     loop_.push_back(corners_.at(p, [&] { return fmt::format("line {}", lines_.number()); }));
   }
 

@@ -64,7 +64,7 @@ nb::tuple cut_polygons(const Indices& counts, const Indices& corners, const Rows
   io::Polygons polygons;
   polygons.cut_all({counts.data(), counts.size()}, {corners.data(), corners.size()}, points_of(positions(points)),
                    faces);
-  return nb::make_tuple(own<Index>(std::move(faces)), polygons.notes());
+  return nb::make_tuple(own<Index>(std::move(faces)), polygons.doubts());
 }
 
 /// For each vertex the first one of those that lie together in every frame.

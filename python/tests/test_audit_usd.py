@@ -225,7 +225,10 @@ def test_polygons_are_cut_inside() -> None:
     stage = Usd.Stage.CreateInMemory()
     _mesh(stage, "/L", _L, [6], [0, 1, 2, 3, 4, 5])
     report = tamis.audit(stage)
-    assert report.is_free and "/L: 1 polygon of more than three corners" in report.notes[0]
+    assert report.is_free and not report.notes
+    points = UsdGeom.Mesh(stage.GetPrimAtPath("/L")).GetPointsAttr()
+    points.Set([*_L[:5], (0, 0, 1)])
+    assert "/L: 1 polygon is not flat" in tamis.audit(stage).notes[0]
 
 
 def test_the_first_frame_tells_how_polygons_are_cut() -> None:

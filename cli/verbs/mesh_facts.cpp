@@ -70,13 +70,14 @@ bool are_on_one_side(const Point& a, const Point& b, const Point& c, const Point
   for (const auto& side : {base, to_c, to_d})
     for (const double x : side) longest = std::max(longest, std::abs(x));
   constexpr double kClear = 1e-12;
-  if (sine > kClear * size * longest * longest && std::isfinite(sine)) return false;
+  const double area = longest * longest, cosine = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];
+  if ((sine > kClear * size * area || cosine < -kClear * area * area) && std::isfinite(area * area)) return false;
   const auto exact_base = difference<mpq_class>(b, a);
   const auto exact_n = cross(exact_base, difference<mpq_class>(c, a));
   const auto exact_m = cross(exact_base, difference<mpq_class>(d, a));
   const auto exact_turn = cross(exact_n, exact_m);
-  const mpq_class cosine = exact_n[0] * exact_m[0] + exact_n[1] * exact_m[1] + exact_n[2] * exact_m[2];
-  return exact_turn[0] == 0 && exact_turn[1] == 0 && exact_turn[2] == 0 && cosine > 0;
+  const mpq_class exact_cosine = exact_n[0] * exact_m[0] + exact_n[1] * exact_m[1] + exact_n[2] * exact_m[2];
+  return exact_turn[0] == 0 && exact_turn[1] == 0 && exact_turn[2] == 0 && exact_cosine > 0;
 }
 
 /// Do two triangles at this edge lie on each other?

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import rows
+from tamis._arrays import numbers, point_frames, shape_text
 from tamis._checks import number_from_zero
 from tamis._errors import InvalidMesh
 from tamis._mesh import Mesh, known_mesh
 
 
-def weld(mesh: Mesh, *frames: npt.ArrayLike, distance: float = 0.0) -> Mesh:
+def weld(mesh: Mesh, positions: npt.ArrayLike, distance: float = 0.0) -> Mesh:
     """Join vertices that lie at one place in every frame, as copies for normals and textures do.
 
     Vertices keep their numbers, so all positions serve the new mesh, too. Those joined to an earlier one belong to
@@ -21,8 +22,8 @@ def weld(mesh: Mesh, *frames: npt.ArrayLike, distance: float = 0.0) -> Mesh:
     ----------
     mesh : Mesh
         The mesh whose features name the vertices.
-    *frames : array_like, shape (n, 3)
-        Positions of one frame or more: vertices that part in one of them are not joined.
+    positions : array_like, shape (n, 3) or (f, n, 3)
+        Those of one frame or of several: vertices that part in one of them are not joined.
     distance : float
         Finite and >= 0: vertices within this distance of the first of them are joined. 0: exactly at one place.
 
@@ -34,7 +35,7 @@ def weld(mesh: Mesh, *frames: npt.ArrayLike, distance: float = 0.0) -> Mesh:
     Raises
     ------
     InvalidMesh
-        No frame, one that has not a row for each vertex, or an array of another type.
+        No frame, a vertex in use that is not finite, positions without a row for each vertex, or of another type.
     InvalidOptions
         `distance` is out of its range.
 
@@ -46,11 +47,14 @@ def weld(mesh: Mesh, *frames: npt.ArrayLike, distance: float = 0.0) -> Mesh:
     [[0, 1, 2], [1, 4, 2]]
     """
     count = known_mesh(mesh).vertex_count
-    given = [rows(frame, f"frames[{i}]", InvalidMesh) for i, frame in enumerate(frames)]
-    if not given:
-        raise InvalidMesh("no frame is given: give the positions of one frame or more")
-    for i, frame in enumerate(given):
-        if len(frame) != count:
-            raise InvalidMesh(f"frames[{i}] has {len(frame)} rows, the mesh {count} vertices: give a row for each")
-    first = _core.weld(given, number_from_zero(distance, "distance"))
+    array = numbers(positions, "positions", InvalidMesh)
+    frames = point_frames(array[np.newaxis] if array.ndim == 2 else array, "positions", InvalidMesh)
+    if not len(frames) or frames.shape[1] != count:
+        raise InvalidMesh(
+            f"positions has the shape {shape_text(array)}, the mesh {count} vertices: give one frame or more, with a "
+            "row for each vertex"
+        )
+    if not np.isfinite(frames[:, mesh.points]).all():
+        raise InvalidMesh("positions has a number that is not finite at a vertex of the mesh: give finite positions")
+    first = _core.weld(list(frames), number_from_zero(distance, "distance"))
     return Mesh(first[mesh.faces], count, first[mesh.loose_edges], first[mesh.loose_points])

@@ -53,15 +53,15 @@ def test_welding(tmp_path: pathlib.Path) -> None:
     split = tamis.Mesh([[0, 1, 2], [3, 4, 5]], edges=[[3, 0]], points=[5])
     start = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [0, 1.25, 0]])
     assert tamis.weld(split, start).faces.tolist() == [[0, 1, 2], [1, 4, 5]]
-    welded = tamis.weld(split, start, start + 1, distance=0.25)
+    welded = tamis.weld(split, [start, start + 1], distance=0.25)
     assert welded.faces.tolist() == [[0, 1, 2], [1, 4, 2]] and welded.loose_edges.tolist() == [[1, 0]]
     assert welded.loose_points.tolist() == [2] and welded.vertex_count == 6
     apart = start.copy()
     apart[3] += 1
-    assert tamis.weld(split, start, apart).faces.tolist() == split.faces.tolist()
-    for wrong in ((split,), (split, start[:5])):
+    assert tamis.weld(split, [start, apart]).faces.tolist() == split.faces.tolist()
+    for wrong in (start[:5], np.zeros((0, 6, 3)), start[0]):
         with pytest.raises(tamis.InvalidMesh):
-            tamis.weld(*wrong)
+            tamis.weld(split, wrong)
     with pytest.raises(tamis.InvalidOptions):
         tamis.weld(split, start, distance=-1)
 

@@ -159,8 +159,6 @@ def _of_callee(callee: Callee, folder: pathlib.Path) -> dict[str, Any]:
     if short == "read_mesh" or short == "read_frames":
         tamis.write_mesh(folder / "mesh.ply", START, FACES)
         return {"path": folder / "mesh.ply", "names": folder / "mesh.ply"}
-    if short == "weld":
-        return {"frames": START}
     if short == "simulate":
         return {"name": "funnel", "folder": folder / "run", "triangles": 500, "frames": 0}
     if short == "read_usd":

@@ -101,9 +101,11 @@ void KeepArgument::declare(OptionList& options) {
 }
 
 void WeldArgument::declare(OptionList& options) {
-  option_ = options.add_number(
-      "--weld", "D", distance_, kNotNegative,
-      "join vertices that lie within D of each other in every frame; without a number, those at exactly one place");
+  option_ = options
+                .add_number("--weld", "D", distance_, kNotNegative,
+                            "join vertices that lie within D of each other in every frame; without a number, those at "
+                            "exactly one place")
+                .shown_as("[D >= 0]");
 }
 
 void declare_json(OptionList& options, bool& json) {

@@ -11,14 +11,14 @@
 namespace tamis::io {
 namespace {
 
-/// Words that say nothing about vertices and faces: texture, normals, groups, materials, display.
-constexpr std::array<std::string_view, 17> kPassedOver{"vt",    "vn",       "vp",       "g",          "o",        "s",
-                                                       "mg",    "usemtl",   "mtllib",   "usemap",     "maplib",   "lod",
-                                                       "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
-/// Free-form curves and surfaces, and what other files hold: the surface is not all in the mesh.
-constexpr std::array<std::string_view, 22> kSurface{"cstype", "deg",  "bmat", "step", "curv", "curv2", "surf",  "parm",
-                                                    "trim",   "hole", "scrv", "sp",   "end",  "con",   "ctech", "stech",
-                                                    "bsp",    "bzp",  "cdc",  "cdp",  "res",  "call"};
+/// Words that say nothing about vertices and faces: texture, normals, groups, materials, display, and what belongs to
+/// free-form curves and surfaces, which have words of their own.
+constexpr std::array<std::string_view, 30> kPassedOver{
+    "vt",     "vn",   "vp",    "g",        "o",        "s",          "mg",        "usemtl", "mtllib", "usemap",
+    "maplib", "lod",  "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "cstype", "deg",    "bmat",
+    "step",   "parm", "trim",  "hole",     "scrv",     "sp",         "end",       "con",    "ctech",  "stech"};
+/// Free-form curves and surfaces, and other files: what they hold is not in the mesh.
+constexpr std::array<std::string_view, 9> kSurface{"curv", "curv2", "surf", "bsp", "bzp", "cdc", "cdp", "res", "call"};
 
 /// Lines that were skipped: how many, and the first.
 struct Skipped {

@@ -12,6 +12,7 @@ namespace tamis::io {
 namespace {
 
 constexpr Index kEndOfStrip = -1;
+constexpr double kEndAsUnsigned = 4294967295;  ///< the same in a list of unsigned numbers
 
 template <class Source>
 class BodyReader {
@@ -83,7 +84,7 @@ class BodyReader {
     for (double i = 0; i < length; ++i) {
       const double value = source_.number(property.type);
       if (place != kCorners) continue;
-      const bool ends_strip = kind == ElementKind::strip && value == kEndOfStrip;
+      const bool ends_strip = kind == ElementKind::strip && (value == kEndOfStrip || value == kEndAsUnsigned);
       corners_.push_back(ends_strip ? kEndOfStrip : index(value));
     }
   }

@@ -80,7 +80,7 @@ TEST(Obj, SaysThatFreeFormSurfacesAndOpenEndsAreNotMeshes) {
   EXPECT_EQ(mesh.faces.size(), 1u);
   ASSERT_EQ(mesh.notes.size(), 2u);
   EXPECT_TRUE(test::contains(mesh.notes[1], "a part of the surface is missing")) << mesh.notes[1];
-  EXPECT_TRUE(test::contains(mesh.notes[1], "3 lines were skipped, the first in line 5: 'cstype'")) << mesh.notes[1];
+  EXPECT_TRUE(test::contains(mesh.notes[1], "1 line was skipped, the first in line 6: 'surf'")) << mesh.notes[1];
 }
 
 // Bug: a vendor's own words refuse the file, or are skipped without a word.

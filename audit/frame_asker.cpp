@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "audit/doubts.hpp"
+
 namespace tamis::audit {
 namespace {
 
@@ -20,8 +22,8 @@ std::size_t used(const std::array<Index, 4>& vertices) {
 
 bool is_usable(const FramePointer& frame) { return frame && problem_of(*frame).empty(); }
 
-void add_sentence(std::string& note, const char* sentence) {
-  note += (note.empty() ? "" : "; ") + std::string(sentence);
+void add_sentence(std::string& note, const std::string& sentence) {
+  if (!sentence.empty()) note += (note.empty() ? "" : "; ") + sentence;
 }
 
 void bracket_first(FrameAnswer& answer, std::span<const Contact> contacts) {
@@ -57,6 +59,10 @@ FrameFindings FrameAsker::ask(const FramePointer& before, const FramePointer& fr
     add_sentence(findings.answer.note, "the topology changes here: no step leads to this frame");
   else if (options_.contacts && frame->follows && is_usable(before))
     findings.before = before;
+  const bool is_first = !before || before->mesh != frame->mesh;
+  if (is_first) add_sentence(findings.answer.note, doubt_about_coincidence(frame->mesh->mesh(), frame->positions));
+  if (findings.before)
+    add_sentence(findings.answer.note, doubt_about_units(findings.before->positions, frame->positions));
   if (findings.before) ask_step(findings);
   if (options_.intersections) ask_pose(findings);
   list(findings);

@@ -7,6 +7,7 @@
 
 #include "cli/command_line/printable.hpp"
 #include "cli/command_line/verb.hpp"
+#include "cli/step_files.hpp"
 
 namespace tamis::cli {
 
@@ -25,6 +26,7 @@ void StartCheck::declare_for_bodies(OptionList& options) {
 
 bool StartCheck::passes(Detector& detector, const Positions& start) {
   if (is_asked_) intersections_ = detector.intersections(start).size();
+  if (intersections_ > 0) note_coincident(detector.mesh(), start);
   return intersections_ == 0;
 }
 
@@ -69,7 +71,7 @@ void StartCheck::add_refused_to(Json& json, const std::vector<std::string>& name
 
 void StartCheck::print() const {
   fmt::print("{}\n", is_asked_
-                         ? "START           passes through nothing, proven"
+                         ? "START           no edge passes through a triangle that shares no vertex with it, proven"
                          : "presupposes     a START that passes through nothing: 'tamis intersections START' tells");
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,19 @@ namespace tamis::cli {
 
 /// Reads a mesh and prints its notes on stderr.
 io::MeshFile read_with_notes(const std::filesystem::path& path);
+
+/// Joins vertices of `first` that lie within `distance` of each other in it and in all `others`, and notes on stderr
+/// how many. Does nothing without a distance.
+void weld(io::MeshFile& first, std::span<const std::vector<Point>> others, std::optional<double> distance);
+
+/// Notes on stderr how many vertices were joined, and how many lie together in the first frame alone.
+void note_weld(std::size_t joined, std::size_t joined_at_first);
+
+/// Notes on stderr that the two ends of a step seem to have different units.
+void note_units(const std::string& end_name, const Positions& start, const Positions& end);
+
+/// Notes on stderr what explains contacts at the start: vertices that lie on each other.
+void note_coincident(const Mesh& mesh, const Positions& positions);
 
 /// Positions at `part` of the way from start to end: start for 0; end, but for rounding, for 1.
 std::vector<Point> between(const std::vector<Point>& start, const std::vector<Point>& end, double part);
@@ -41,6 +56,7 @@ struct StepFiles {
 };
 
 /// Throws io::FileError if a file cannot be used or the two are not frames of one mesh.
-StepFiles read_step(const std::string& start, const std::string& end, double scale);
+StepFiles read_step(const std::string& start, const std::string& end, double scale,
+                    std::optional<double> weld_distance = {});
 
 }  // namespace tamis::cli

@@ -19,8 +19,9 @@ void scale_step(const std::vector<Point>& start, std::vector<Point>& end, double
   for (std::size_t v = 0; v < end.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis) {
       double& x = end[v][axis];
+      const bool is_known = std::isfinite(x) && std::isfinite(start[v][axis]);
       x = part_of_way(start[v][axis], x, scale);
-      if (!std::isfinite(x))
+      if (is_known && !std::isfinite(x))
         throw InvalidOptions(
             fmt::format("a scale of {} takes vertex {} beyond the largest double: give a smaller one", scale, v));
     }

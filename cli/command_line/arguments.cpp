@@ -100,6 +100,14 @@ void KeepArgument::declare(OptionList& options) {
       "that; 0: only contacts count; default 0.1");
 }
 
+void WeldArgument::declare(OptionList& options) {
+  option_ = options
+                .add_number("--weld", "D", distance_, kNotNegative,
+                            "join vertices that lie within D of each other in every frame; without a number, those at "
+                            "exactly one place")
+                .shown_as("[D >= 0]");
+}
+
 void declare_json(OptionList& options, bool& json) {
   options.add_flag("--json", json, "print one JSON object and nothing else on the standard output");
 }

@@ -1,6 +1,7 @@
 // Options that several verbs share.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,18 @@ class KeepArgument {
 
  private:
   double keep_ = 0.1;
+};
+
+/// `--weld`, `--weld DISTANCE`: joins vertices that lie at one place in every frame.
+class WeldArgument {
+ public:
+  void declare(OptionList& options);
+  /// None unless the option is given; 0: exactly at one place.
+  std::optional<double> distance() const { return option_.is_given() ? std::optional(distance_) : std::nullopt; }
+
+ private:
+  Option option_;
+  double distance_ = 0;
 };
 
 void declare_json(OptionList& options, bool& json);

@@ -10,10 +10,14 @@
 #include <string_view>
 #include <utility>
 
+#include "io/text.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {
 namespace {
+
+/// The option whose number may be missing: it then stands for 0, and the next word is a name.
+constexpr std::string_view kWeld = "--weld";
 
 bool is_option(const std::string& word) { return word.size() > 2 && word.starts_with("--"); }
 
@@ -61,7 +65,9 @@ const CLI::Option& option_named(const CLI::App& verb, const std::string& name) {
 std::vector<std::string> words_of(int argc, char** argv) {
   std::vector<std::string> words;
   for (int i = argc - 1; i > 0; --i) {
-    const std::string word = argv[i];
+    std::string word = argv[i];
+    const bool has_number = i + 1 < argc && io::to_double(argv[i + 1]);
+    if (word == kWeld && !has_number) word += "=0";
     words.push_back(word.size() > 1 && word.front() == '[' && word.back() == ']' ? "./" + word : word);
   }
   return words;

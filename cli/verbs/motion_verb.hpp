@@ -11,6 +11,7 @@ class MotionVerb : public Verb {
     detector_.declare(options);
     at_start_.declare(options);
     scale_.declare(options);
+    weld_.declare(options);
   }
   /// Options are checked before any file is read.
   void check() const {
@@ -24,6 +25,7 @@ class MotionVerb : public Verb {
   /// The options of each question. Throws InvalidOptions.
   QueryOptions own() const { return at_start_.own(); }
   double scale() const { return scale_.value(); }
+  std::optional<double> weld_distance() const { return weld_.distance(); }
 
   bool json_ = false;
 
@@ -31,6 +33,7 @@ class MotionVerb : public Verb {
   DetectorArguments detector_;
   AtStartArgument at_start_;
   ScaleArgument scale_;
+  WeldArgument weld_;
 };
 
 }  // namespace tamis::cli

@@ -15,6 +15,7 @@ class PoseVerb : public Verb {
   void declare(OptionList& options) override {
     options.add_text("MESH", path_, io::mesh_format_names()).required();
     detector_.declare_means(options);
+    weld_.declare(options);
     declare_repeat(options, repeat_);
     declare_json(options, json_);
   }
@@ -23,7 +24,9 @@ class PoseVerb : public Verb {
   /// Options are checked before any file is read.
   io::MeshFile read() const {
     detector_.check();
-    return read_with_notes(path_);
+    io::MeshFile file = read_with_notes(path_);
+    weld(file, {}, weld_.distance());
+    return file;
   }
   Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
 
@@ -32,6 +35,9 @@ class PoseVerb : public Verb {
   bool json_ = false;
 
   DetectorArguments detector_;
+
+ private:
+  WeldArgument weld_;
 };
 
 }  // namespace tamis::cli

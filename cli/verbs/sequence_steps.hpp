@@ -24,6 +24,11 @@ void for_each_step(const MovingFrames& frames, const StepRange& range, const F& 
   std::vector<Point> start = range.first == 1 ? frames.first().positions : frames.read(range.first - 1);
   for (std::size_t i = range.first; i < range.last; ++i) {
     std::vector<Point> end = frames.read(i);
+    if (!frames.follows(i)) {
+      start = std::move(end);
+      continue;
+    }
+    note_units(frames.paths()[i].string(), start, end);
     std::vector<Point> scaled = end;
     io::scale_step(start, scaled, range.scale);
     for (int part = 1; part <= range.substeps; ++part) {

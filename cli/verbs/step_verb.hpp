@@ -21,7 +21,7 @@ class StepVerb : public MotionVerb {
  protected:
   StepFiles read() const {
     check();
-    return read_step(start_, end_, scale());
+    return read_step(start_, end_, scale(), weld_distance());
   }
 
   std::string start_;

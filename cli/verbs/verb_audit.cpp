@@ -11,12 +11,14 @@
 #include "cli/command_line/verb.hpp"
 #include "cli/output_file.hpp"
 #include "cli/progress.hpp"
+#include "cli/step_files.hpp"
 #include "cli/verbs/audit_report.hpp"
 #include "cli/verbs/moving_frames.hpp"
 #include "io/format.hpp"
 #include "io/mesh/frames.hpp"
 #include "io/mesh/mesh_formats.hpp"
 #include "io/motion/motion.hpp"
+#include "io/motion/welded_frames.hpp"
 #include "io/output/audit_csv.hpp"
 #include "io/view/audit_page.hpp"
 
@@ -56,6 +58,7 @@ class Audit final : public Verb {
                        "search paths of up to N edges between the features of a pair; default 10");
     options.add_number("--pairs", "N", options_.listed_pairs, NumberRange<std::uint64_t>{0, kMostPairs},
                        "list no more than N pairs; all are counted; default 1000000");
+    weld_.declare(options);
     declare_json(options, json_);
   }
 
@@ -68,7 +71,7 @@ class Audit final : public Verb {
     require_output(out_, files.all(), json_);
     require_output(out_frames_, files.all(), json_, "csv");
     require_two_outputs(out_, out_frames_);
-    const auto source = io::open_motion(files);
+    const auto source = open(files);
     if (io::has_own_order(names_)) note(kNaturalOrder);
     const auto start = std::chrono::steady_clock::now();
     const audit::Report report = audited(*source);
@@ -79,6 +82,15 @@ class Audit final : public Verb {
   }
 
  private:
+  std::unique_ptr<audit::FrameSource> open(const io::MotionFiles& files) const {
+    auto source = io::open_motion(files);
+    if (!weld_.distance()) return source;
+    const auto scout = io::open_motion(files);
+    auto welded = std::make_unique<io::WeldedFrames>(std::move(source), *scout, *weld_.distance());
+    note_weld(welded->joined_count(), 0);
+    return welded;
+  }
+
   bool is_page() const { return !out_.empty() && kFormats[io::format_of(out_, kFormats)] == "html"; }
 
   audit::Report audited(audit::FrameSource& source) {
@@ -114,6 +126,7 @@ class Audit final : public Verb {
   std::string out_, out_frames_;
   audit::Options options_;
   bool no_intersections_ = false, no_contacts_ = false;
+  WeldArgument weld_;
   bool json_ = false;
 };
 

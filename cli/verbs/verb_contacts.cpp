@@ -24,6 +24,7 @@ int Contacts::run() {
   if (!start_check_.passes(detector, step.start)) return start_check_.refuse(detector, json_, Json::object());
   const std::vector<Contact>* contacts = nullptr;
   const Timing timing = ask_repeatedly(detector, repeat_, [&] { contacts = &detector.contacts(step, own()); });
+  if (!contacts->empty()) note_coincident(detector.mesh(), step.start);
   write(detector, files, *contacts);
   report(tally_of(*contacts), detector, timing);
   return kSuccess;

@@ -30,6 +30,7 @@ class Earliest final : public StepVerb {
     if (!start_.passes(detector, step.start)) return start_.refuse(detector, json_, Json::object());
     EarliestContact first;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { first = detector.earliest(step, own()); });
+    if (first.contact) note_coincident(detector.mesh(), step.start);
     report(first, detector, timing);
     return kSuccess;
   }

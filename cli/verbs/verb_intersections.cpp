@@ -42,6 +42,7 @@ class IntersectionsVerb final : public PoseVerb {
     const std::vector<Intersection>* found = nullptr;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { found = &detector.intersections(positions); });
     output_.write(recording_of(detector, path_, positions, *found));
+    if (!found->empty()) note_coincident(detector.mesh(), positions);
     report(*found, detector, timing);
     return found->empty() ? kSuccess : kNo;
   }
@@ -56,7 +57,9 @@ class IntersectionsVerb final : public PoseVerb {
     }
     print_asked(detector);
     if (found.empty())
-      fmt::print("intersections   none: no edge passes through a triangle or touches one, proven\n");
+      fmt::print(
+          "intersections   none: no edge passes through a triangle that shares no vertex with it, or touches one, "
+          "proven\n");
     else
       print_table(found);
     if (!output_.path().empty()) fmt::print("\nwritten to      {}\n", printable(output_.path()));

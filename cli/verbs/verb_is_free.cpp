@@ -42,11 +42,13 @@ class IsFree final : public MotionVerb {
 
   int run() override {
     check();
-    const MovingFrames frames(names_);
+    const MovingFrames frames(names_, 2, weld_distance());
+    frames.note_gaps();
     Detector detector = detector_for(io::mesh_of(frames.first()));
     if (!start_.passes(detector, frames.first().positions)) return start_.refuse(detector, json_, {{"free", false}});
     Timing timing;
     const std::optional<std::size_t> met = ask(frames, detector, timing);
+    if (met) note_coincident(detector.mesh(), frames.first().positions);
     report(frames, met, detector, timing);
     return met ? kNo : kSuccess;
   }
@@ -70,13 +72,13 @@ class IsFree final : public MotionVerb {
   void report(const MovingFrames& frames, const std::optional<std::size_t>& met, const Detector& detector,
               const Timing& timing) const {
     if (json_) {
-      Json json{{"free", !met}, {"steps", frames.paths().size() - 1}, {"first_not_free", step_to(frames, met)}};
+      Json json{{"free", !met}, {"steps", frames.step_count()}, {"first_not_free", step_to(frames, met)}};
       start_.add_to(json);
       add_costs(json, detector, timing);
       return print_json(json);
     }
     print_asked(detector);
-    const std::size_t steps = frames.paths().size() - 1;
+    const std::size_t steps = frames.step_count();
     print_free(!met, steps == 1 ? "the step" : fmt::format("any of {} steps", grouped(steps)));
     if (met && steps > 1)
       fmt::print("first           in step {}, to {}; later ones were not asked\n", *met,

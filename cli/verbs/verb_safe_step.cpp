@@ -34,6 +34,7 @@ class SafeStepLength final : public StepVerb {
     SafeStep safe;
     const Timing timing =
         ask_repeatedly(detector, repeat_, [&] { safe = detector.safe_step(step, keep_.part(), own()); });
+    if (safe.lower == 0) note_coincident(detector.mesh(), step.start);
     report(safe, detector, timing);
     return kSuccess;
   }

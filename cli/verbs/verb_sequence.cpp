@@ -29,7 +29,8 @@ class Sequence final : public SequenceVerb {
 
   int run() override {
     check();
-    const MovingFrames frames(names_);
+    const MovingFrames frames(names_, 2, weld_distance());
+    frames.note_gaps();
     Detector detector = detector_for(io::mesh_of(frames.first()));
     if (!start_.passes(detector, frames.first().positions)) return start_.refuse(detector, json_, Json::object());
     SequenceTable table(frames.paths(), substeps_, json_);
@@ -41,6 +42,7 @@ class Sequence final : public SequenceVerb {
       progress.show(step.part == substeps_ ? step.end : step.end - 1);
     });
     progress.clear();
+    if (!table.is_free()) note_coincident(detector.mesh(), frames.first().positions);
     table.print_totals(detector.options(), detector.statistics(), start_);
     return table.is_free() ? kSuccess : kNo;
   }

@@ -20,10 +20,10 @@ io::MeshFile frame_of(const Mesh& mesh, const StepFiles& files, const std::vecto
   return {positions, {mesh.faces().begin(), mesh.faces().end()}, files.loose_edges, files.loose_points, {}};
 }
 
-/// The sum of all vertices' ways to `to`, as a part of the sum of their ways to the end.
-double part_of_way(const Step& step, const std::vector<Point>& to) {
+/// The sum of the ways of all vertices in use to `to`, as a part of the sum of their ways to the end.
+double part_of_way(const Mesh& mesh, const Step& step, const std::vector<Point>& to) {
   double gone = 0, all = 0;
-  for (Index v = 0; v < step.start.count(); ++v) {
+  for (const Index v : mesh.points()) {
     const double *a = step.start[v], *b = step.end[v], *c = to[static_cast<std::size_t>(v)].data();
     gone += std::hypot(c[0] - a[0], c[1] - a[1], c[2] - a[2]);
     all += std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
@@ -61,7 +61,8 @@ class Truncate final : public StepVerb {
     TruncatedStep to;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { to = detector.truncate(step, keep_, own()); });
     if (!out_.empty()) io::write_ply(out_, frame_of(detector.mesh(), files, to.positions));
-    report(to, part_of_way(step, to.positions), detector, timing);
+    if (!to.is_free) note_coincident(detector.mesh(), step.start);
+    report(to, part_of_way(detector.mesh(), step, to.positions), detector, timing);
     return to.is_free ? kSuccess : kNo;
   }
 

@@ -1,6 +1,7 @@
 // tamis view: a step, a sequence of them, or a single frame, in one HTML file.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "cli/command_line/printable.hpp"
@@ -43,12 +44,14 @@ class View final : public MotionVerb {
   int run() override {
     check();
     output_.check();
-    const MovingFrames frames(names_, 1);
+    const MovingFrames frames(names_, 1, weld_distance());
+    frames.require_no_gap();
     output_.require(frames.paths(), frames.paths().size() - 1, json_);
     Detector detector = detector_for(io::mesh_of(frames.first()));
     if (frames.paths().size() == 1) require_no_step_options(detector.options());
     const io::Recording recording = frames.paths().size() == 1 ? pose_of(frames, detector) : steps_of(frames, detector);
     output_.write(recording);
+    if (has_contacts(recording)) note_coincident(recording.mesh, recording.frames.front());
     report(recording);
     return kSuccess;
   }
@@ -79,6 +82,7 @@ class View final : public MotionVerb {
       recording.frames.push_back(frames.read(i));
       const std::vector<Point>& start = recording.frames[i - 1];
       std::vector<Point> end = recording.frames[i];
+      note_units(frames.paths()[i].string(), start, end);
       io::scale_step(start, end, recording.scale);
       asked_of("the step to " + frames.paths()[i].string(), [&] {
         recording.steps.push_back({detector.contacts({start, end}, own()), detector.statistics().stages});
@@ -87,6 +91,11 @@ class View final : public MotionVerb {
     }
     progress.clear();
     return recording;
+  }
+
+  static bool has_contacts(const io::Recording& recording) {
+    if (recording.pose) return !recording.pose->intersections.empty();
+    return std::ranges::any_of(recording.steps, [](const auto& step) { return !step.contacts.empty(); });
   }
 
   void report(const io::Recording& recording) const {

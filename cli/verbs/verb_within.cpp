@@ -38,6 +38,8 @@ class Within final : public PoseVerb {
     const Timing timing =
         ask_repeatedly(detector, repeat_, [&] { pairs = &detector.pairs_within(positions, distance_); });
     if (!out_.empty()) io::write_near_csv(out_, *pairs);
+    const auto touches = [](const NearPair& pair) { return pair.distance == 0; };
+    if (std::ranges::any_of(*pairs, touches)) note_coincident(detector.mesh(), positions);
     report(*pairs, detector, timing);
     return kSuccess;
   }

@@ -45,6 +45,37 @@ std::filesystem::path as_pattern(const std::filesystem::path& path) {
   return pattern;
 }
 
+/// The pattern `name` in `folder`; folders at its front that exist are no pattern, whatever characters they have.
+std::string pattern_of(const std::string& name, const std::filesystem::path& folder) {
+  std::filesystem::path known = folder, rest;
+  std::error_code error;
+  for (const auto& part : std::filesystem::path(name))
+    if (rest.empty() && std::filesystem::is_directory(known / part, error))
+      known /= part;
+    else
+      rest /= part;
+  return as_pattern(known) / rest;
+}
+
+/// The files that match; none if a pattern finds nothing.
+std::vector<std::filesystem::path> matches_of(const std::string& pattern) {
+  glob_t found{};
+  const auto release = [](glob_t* g) { globfree(g); };
+  const std::unique_ptr<glob_t, decltype(release)> guard(&found, release);
+  if (glob(pattern.c_str(), GLOB_NOSORT, nullptr, &found) != 0) return {};
+  return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
+}
+
+/// Brackets stand for themselves, not for a set of characters.
+std::string with_plain_brackets(const std::string& pattern) {
+  std::string plain;
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    if (pattern[i] == '[' && (i == 0 || pattern[i - 1] != '\\')) plain += '\\';
+    plain += pattern[i];
+  }
+  return plain;
+}
+
 std::vector<std::filesystem::path> mesh_files_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
@@ -96,12 +127,12 @@ std::vector<std::filesystem::path> paths_named(const std::string& name, const st
   std::error_code error;
   const std::filesystem::path path = folder / name;
   if (std::filesystem::exists(path, error)) return {path};
-  glob_t found{};
-  const auto release = [](glob_t* g) { globfree(g); };
-  const std::unique_ptr<glob_t, decltype(release)> guard(&found, release);
-  if (glob((as_pattern(folder) / name).c_str(), GLOB_NOSORT, nullptr, &found) != 0)
+  const std::string pattern = pattern_of(name, folder);
+  std::vector<std::filesystem::path> files = matches_of(pattern);
+  if (files.empty()) files = matches_of(with_plain_brackets(pattern));
+  if (files.empty())
     throw FileError(path.string(), "", "no such file, and no file matches it as a pattern: check the path");
-  return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
+  return files;
 }
 
 std::vector<std::filesystem::path> frame_files(const std::vector<std::string>& names,

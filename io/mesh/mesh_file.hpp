@@ -1,6 +1,8 @@
 // A mesh as it stands in a file: positions and topology of one frame.
 #pragma once
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,27 +13,36 @@
 namespace tamis::io {
 
 struct MeshFile {
-  std::vector<Point> positions;  ///< finite
-  std::vector<Face> faces;       ///< in the file's order and winding; polygons are cut into fans
+  std::vector<Point> positions;  ///< finite where something uses them
+  std::vector<Face> faces;       ///< in the file's order and winding; polygons are cut into triangles
   std::vector<Edge> loose_edges;
   std::vector<Index> loose_points;
   std::vector<std::string> notes;  ///< what a reader should know: polygons cut, elements skipped
+  /// Of a file with polygons of more than three corners: the number of corners of each face, and all corners in turn.
+  std::vector<Index> corner_counts = {}, corners = {};
+  bool are_floats = false;        ///< coordinates are stored in single precision
+  std::size_t surface_notes = 0;  ///< how many of the notes, the last ones, are about triangles and edges
+
+  /// What to know about a later frame of a mesh: it has the triangles of the first.
+  std::span<const std::string> notes_of_later_frame() const {
+    return std::span(notes).first(notes.size() - surface_notes);
+  }
 };
 
 /// Reads a file of any of the mesh_formats(). Every index is in range and there is at least one feature. Throws
 /// FileError.
 MeshFile read_mesh(const std::filesystem::path& path);
 
-/// Notes a last line without a line end: the text may have been cut inside its last number, and nothing else shows it.
-void note_open_end(std::string_view text, MeshFile& mesh);
-
 /// The topology of the file.
 Mesh mesh_of(MeshFile file);
 
-/// Do both have the same faces, loose edges and loose points?
+/// Do both have as many vertices, and the same faces, loose edges and loose points? A face may begin at another of its
+/// corners. Polygons are compared, not their triangles: which these are depends on positions, so frames of one mesh
+/// share the triangles of the first.
 bool has_topology_of(const MeshFile& first, const MeshFile& second);
 
-/// Throws FileError, naming both files and the first difference, unless they have one topology.
+/// Throws FileError, naming both files and the first difference, unless they have one topology (as
+/// has_topology_of).
 void require_same_mesh(const MeshFile& first, const std::string& first_name, const MeshFile& second,
                        const std::string& second_name);
 

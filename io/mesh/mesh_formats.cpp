@@ -5,13 +5,16 @@
 
 #include "io/extension.hpp"
 #include "io/mesh/obj.hpp"
+#include "io/mesh/off.hpp"
 #include "io/mesh/ply.hpp"
+#include "io/mesh/stl.hpp"
 
 namespace tamis::io {
 namespace {
 
-constexpr std::array kMeshFormats{MeshFormat{"PLY", ".ply", looks_like_ply, parse_ply},
-                                  MeshFormat{"OBJ", ".obj", nullptr, parse_obj}};
+constexpr std::array kMeshFormats{
+    MeshFormat{"PLY", ".ply", looks_like_ply, parse_ply}, MeshFormat{"OBJ", ".obj", nullptr, parse_obj},
+    MeshFormat{"STL", ".stl", looks_like_stl, parse_stl}, MeshFormat{"OFF", ".off", looks_like_off, parse_off}};
 
 const MeshFormat* mesh_format_named(const std::filesystem::path& path) {
   const auto found = std::ranges::find(kMeshFormats, extension_of(path), &MeshFormat::extension);

@@ -2,25 +2,39 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 #include "io/error.hpp"
-#include "io/mesh/mesh_formats.hpp"
-#include "io/mesh/polygons.hpp"
+#include "io/mesh/mesh_builder.hpp"
 #include "io/text.hpp"
 
 namespace tamis::io {
 namespace {
 
-/// Words that say nothing about vertices and faces: texture, normals, groups, materials, display.
-constexpr std::array<std::string_view, 17> kPassedOver{"vt",    "vn",       "vp",       "g",          "o",        "s",
-                                                       "mg",    "usemtl",   "mtllib",   "usemap",     "maplib",   "lod",
-                                                       "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
-/// Free-form curves and surfaces: no mesh can be made of them here.
-constexpr std::array<std::string_view, 16> kFreeForm{"cstype", "deg",  "bmat",  "step", "curv", "curv2",
-                                                     "surf",   "parm", "trim",  "hole", "scrv", "sp",
-                                                     "end",    "con",  "ctech", "stech"};
+/// Words that say nothing about vertices and faces: texture, normals, groups, materials, display, and what belongs to
+/// free-form curves and surfaces, which have words of their own.
+constexpr std::array<std::string_view, 30> kPassedOver{
+    "vt",     "vn",   "vp",    "g",        "o",        "s",          "mg",        "usemtl", "mtllib", "usemap",
+    "maplib", "lod",  "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "cstype", "deg",    "bmat",
+    "step",   "parm", "trim",  "hole",     "scrv",     "sp",         "end",       "con",    "ctech",  "stech"};
+/// Free-form curves and surfaces, and other files: what they hold is not in the mesh.
+constexpr std::array<std::string_view, 9> kSurface{"curv", "curv2", "surf", "bsp", "bzp", "cdc", "cdp", "res", "call"};
+
+/// Lines that were skipped: how many, and the first.
+struct Skipped {
+  std::size_t count = 0, first_line = 0;
+  std::string first_word;
+
+  void add(std::string_view word, std::size_t line) {
+    if (count++ > 0) return;
+    first_word = in_quotes(word);
+    first_line = line;
+  }
+  std::string text() const {
+    return fmt::format("{} {} skipped, the first in line {}: {}", count, count == 1 ? "line was" : "lines were",
+                       first_line, first_word);
+  }
+};
 
 template <std::size_t n>
 bool contains(const std::array<std::string_view, n>& words, std::string_view word) {
@@ -38,7 +52,7 @@ bool goes_on(std::string_view line) { return line.ends_with('\\') && !has_commen
 
 class ObjParser {
  public:
-  ObjParser(std::string_view bytes, const std::string& name) : bytes_(bytes), lines_(bytes), name_(name) {}
+  ObjParser(std::string_view bytes, const std::string& name) : bytes_(bytes), lines_(bytes), name_(name), mesh_(name) {}
 
   MeshFile parse() {
     while (next_line()) {
@@ -50,10 +64,12 @@ class ObjParser {
       throw FileError(name_, fmt::format("line {}", largest_index_line_),
                       fmt::format("vertex {} is named, but the file has only {} vertices: correct the file",
                                   largest_index_ + 1, vertex_count()));
-    polygons_.note(mesh_);
     note_open_end(bytes_, mesh_);
-    if (has_free_form_) mesh_.notes.emplace_back("free-form curves and surfaces were skipped");
-    return std::move(mesh_);
+    if (surface_.count > 0)
+      mesh_.add_note("a part of the surface is missing, as free-form curves, surfaces and other files are not read: " +
+                     surface_.text());
+    if (unknown_.count > 0) mesh_.add_note("of words that OBJ does not have, " + unknown_.text());
+    return mesh_.finish();
   }
 
  private:
@@ -75,17 +91,16 @@ class ObjParser {
   void parse_line(std::string_view keyword) {
     if (keyword == "v")
       add_vertex();
-    else if (keyword == "f")
+    else if (keyword == "f" || keyword == "fo")  // until version 3 of OBJ "fo" is a face
       add_face();
     else if (keyword == "l")
       add_line();
     else if (keyword == "p")
       add_points();
-    else if (contains(kFreeForm, keyword))
-      has_free_form_ = true;
+    else if (contains(kSurface, keyword))
+      surface_.add(keyword, lines_.number());
     else if (!contains(kPassedOver, keyword))
-      fail(fmt::format("{} is no word of OBJ: correct the line, or give a {} file", in_quotes(keyword),
-                       mesh_format_names()));
+      unknown_.add(keyword, lines_.number());
   }
 
   void add_vertex() {
@@ -96,10 +111,9 @@ class ObjParser {
       const std::string_view word = take_word(rest_);
       if (word.empty()) fail("a vertex needs three coordinates: correct the line");
       coordinate = number(word);
-      if (!std::isfinite(coordinate)) fail("a coordinate is not finite: give finite coordinates");
     }
     pass_over_numbers();
-    mesh_.positions.push_back(p);
+    mesh_.add_vertex(p, [&] { return fmt::format("line {}", lines_.number()); });
   }
 
   double number(std::string_view word) const {
@@ -117,18 +131,18 @@ class ObjParser {
   void add_face() {
     read_indices();
     if (indices_.size() < 3) fail("a face needs three corners or more: correct the line");
-    polygons_.add(indices_, mesh_);
+    mesh_.add_polygon(indices_);
   }
 
   void add_line() {
     read_indices();
     if (indices_.size() < 2) fail("a line needs two vertices or more: correct the line");
-    for (std::size_t i = 1; i < indices_.size(); ++i) mesh_.loose_edges.push_back({indices_[i - 1], indices_[i]});
+    for (std::size_t i = 1; i < indices_.size(); ++i) mesh_.add_loose_edge({indices_[i - 1], indices_[i]});
   }
 
   void add_points() {
     read_indices();
-    mesh_.loose_points.insert(mesh_.loose_points.end(), indices_.begin(), indices_.end());
+    for (const Index v : indices_) mesh_.add_loose_point(v);
   }
 
   void read_indices() {
@@ -153,7 +167,7 @@ class ObjParser {
     return static_cast<Index>(index);
   }
 
-  std::int64_t vertex_count() const { return static_cast<std::int64_t>(mesh_.positions.size()); }
+  std::int64_t vertex_count() const { return static_cast<std::int64_t>(mesh_.vertex_count()); }
 
   [[noreturn]] void fail(const std::string& what) const {
     throw FileError(name_, fmt::format("line {}", lines_.number()), what);
@@ -167,9 +181,8 @@ class ObjParser {
   std::vector<Index> indices_;
   std::int64_t largest_index_ = -1;
   std::size_t largest_index_line_ = 0;
-  Polygons polygons_;
-  bool has_free_form_ = false;
-  MeshFile mesh_;
+  Skipped surface_, unknown_;
+  MeshBuilder mesh_;
 };
 
 }  // namespace

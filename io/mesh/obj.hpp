@@ -8,7 +8,8 @@
 namespace tamis::io {
 
 /// Corners as v, v/vt, v//vn or v/vt/vn; negative indices count back from the last vertex. Polygons are cut into
-/// fans; `l` gives loose edges, `p` loose points. `name` stands for the file in messages. Throws FileError.
+/// triangles; `l` gives loose edges, `p` loose points. Lines with unknown words are skipped, with a note. `name` stands
+/// for the file in messages. Throws FileError.
 MeshFile parse_obj(std::string_view bytes, const std::string& name);
 
 }  // namespace tamis::io

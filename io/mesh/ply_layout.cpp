@@ -11,7 +11,8 @@ namespace {
 int place_of(ElementKind element, const PlyProperty& p) {
   if (p.is_list) {
     const bool is_corners = p.name == "vertex_indices" || p.name == "vertex_index";
-    return element == ElementKind::face && is_corners ? kCorners : kSkipped;
+    const bool has_corners = element == ElementKind::face || element == ElementKind::strip;
+    return has_corners && is_corners ? kCorners : kSkipped;
   }
   if (element == ElementKind::vertex && (p.name == "x" || p.name == "y" || p.name == "z")) return p.name[0] - 'x';
   if (element == ElementKind::point && p.name == "vertex") return 0;
@@ -31,7 +32,7 @@ void require_places(const PlyElement& element, const std::vector<int>& places, c
   if (element.name == "vertex")
     for (const char* coordinate : {"x", "y", "z"}) require(*coordinate - 'x', fmt::format("property {}", coordinate));
   if (kind_of(element) == ElementKind::point) require(0, "property vertex");
-  if (element.name == "face") require(kCorners, "list property vertex_indices");
+  if (element.name == "face" || element.name == "tristrips") require(kCorners, "list property vertex_indices");
   if (element.name == "edge")
     for (const char digit : {'1', '2'}) require(digit - '1', fmt::format("property vertex{}", digit));
 }
@@ -41,6 +42,7 @@ void require_places(const PlyElement& element, const std::vector<int>& places, c
 ElementKind kind_of(const PlyElement& element) {
   if (element.name == "vertex") return ElementKind::vertex;
   if (element.name == "face") return ElementKind::face;
+  if (element.name == "tristrips") return ElementKind::strip;
   if (element.name == "edge") return ElementKind::edge;
   // Other programs may call something else a point.
   const auto is_vertex = [](const PlyProperty& p) { return !p.is_list && p.name == "vertex"; };

@@ -8,7 +8,7 @@
 
 namespace tamis::io {
 
-enum class ElementKind : std::uint8_t { vertex, face, edge, point, other };
+enum class ElementKind : std::uint8_t { vertex, face, strip, edge, point, other };
 
 ElementKind kind_of(const PlyElement& element);
 

@@ -3,27 +3,29 @@
 #include <cmath>
 #include <limits>
 
+#include "io/mesh/mesh_builder.hpp"
 #include "io/mesh/ply.hpp"
 #include "io/mesh/ply_layout.hpp"
 #include "io/mesh/ply_source.hpp"
-#include "io/mesh/polygons.hpp"
 
 namespace tamis::io {
 namespace {
+
+constexpr Index kEndOfStrip = -1;
+constexpr double kEndAsUnsigned = 4294967295;  ///< the same in a list of unsigned numbers
 
 template <class Source>
 class BodyReader {
  public:
   BodyReader(const PlyHeader& header, std::string_view bytes, const std::string& name)
-      : header_(header), bytes_(bytes), name_(name), source_(bytes.substr(header.bytes), header, name) {}
+      : header_(header), bytes_(bytes), name_(name), source_(bytes.substr(header.bytes), header, name), mesh_(name) {}
 
   MeshFile read() {
     vertex_count_ = count_vertices();
     for (const PlyElement& element : header_.elements) read_element(element);
     source_.end();
-    polygons_.note(mesh_);
     if (header_.encoding == PlyEncoding::ascii) note_open_end(bytes_, mesh_);
-    return std::move(mesh_);
+    return mesh_.finish();
   }
 
  private:
@@ -46,24 +48,30 @@ class BodyReader {
                                 "header is wrong, write or copy it again",
                                 element.count, source_.bytes_left() / least));
     const ElementKind kind = kind_of(element);
-    if (kind == ElementKind::vertex) mesh_.positions.reserve(element.count);
-    if (kind == ElementKind::face) mesh_.faces.reserve(element.count);
+    if (kind == ElementKind::vertex) begin_vertices(element);
     for (std::uint64_t row = 0; row < element.count; ++row) read_row(element, kind, row);
     if (kind == ElementKind::other && element.count > 0)
-      mesh_.notes.push_back(fmt::format("element {} was skipped", in_quotes(element.name)));
+      mesh_.add_note(fmt::format("element {} was skipped", in_quotes(element.name)));
+  }
+
+  void begin_vertices(const PlyElement& vertex) {
+    mesh_.reserve_vertices(vertex.count);
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      if (places_[i] != kSkipped && vertex.properties[i].type == PlyScalar::float32) mesh_.set_floats();
   }
 
   void read_row(const PlyElement& element, ElementKind kind, std::uint64_t row) {
     source_.begin_row(element.name, row);
-    for (std::size_t i = 0; i < element.properties.size(); ++i) read_property(element.properties[i], places_[i]);
+    for (std::size_t i = 0; i < element.properties.size(); ++i) read_property(element.properties[i], kind, places_[i]);
     source_.end_row();
-    if (kind == ElementKind::vertex) add_vertex();
+    if (kind == ElementKind::vertex) mesh_.add_vertex(values_, [&] { return source_.place(); });
     if (kind == ElementKind::face) add_face();
-    if (kind == ElementKind::point) mesh_.loose_points.push_back(index(values_[0]));
-    if (kind == ElementKind::edge) mesh_.loose_edges.push_back({index(values_[0]), index(values_[1])});
+    if (kind == ElementKind::strip) add_strip();
+    if (kind == ElementKind::point) mesh_.add_loose_point(index(values_[0]));
+    if (kind == ElementKind::edge) mesh_.add_loose_edge({index(values_[0]), index(values_[1])});
   }
 
-  void read_property(const PlyProperty& property, int place) {
+  void read_property(const PlyProperty& property, ElementKind kind, int place) {
     if (!property.is_list) {
       const double value = source_.number(property.type);
       if (place != kSkipped) values_[static_cast<std::size_t>(place)] = value;
@@ -75,20 +83,28 @@ class BodyReader {
     if (place == kCorners) corners_.clear();
     for (double i = 0; i < length; ++i) {
       const double value = source_.number(property.type);
-      if (place == kCorners) corners_.push_back(index(value));
+      if (place != kCorners) continue;
+      const bool ends_strip = kind == ElementKind::strip && (value == kEndOfStrip || value == kEndAsUnsigned);
+      corners_.push_back(ends_strip ? kEndOfStrip : index(value));
     }
-  }
-
-  void add_vertex() {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (!std::isfinite(values_[axis]))
-        source_.fail(fmt::format("coordinate {} is not finite: give finite coordinates", "xyz"[axis]));
-    mesh_.positions.push_back(values_);
   }
 
   void add_face() {
     if (corners_.size() < 3) source_.fail(fmt::format("it has {} corners: give a face three or more", corners_.size()));
-    polygons_.add(corners_, mesh_);
+    mesh_.add_polygon(corners_);
+  }
+
+  /// Strips of triangles; -1 ends each. Every second triangle is listed in the other winding, and turned back here.
+  void add_strip() {
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      if (corners_[i] == kEndOfStrip) first = i + 1;
+      if (i < first + 2) continue;
+      const std::size_t odd = (i - first) % 2;
+      const Face f{corners_[i - 2], corners_[i - 1 + odd], corners_[i - odd]};
+      // A corner listed twice leads from one part of a strip to the next.
+      if (f[0] != f[1] && f[1] != f[2] && f[2] != f[0]) mesh_.add_polygon(f);
+    }
   }
 
   Index index(double value) const {
@@ -108,8 +124,7 @@ class BodyReader {
   std::vector<int> places_;
   Point values_{};
   std::vector<Index> corners_;
-  Polygons polygons_;
-  MeshFile mesh_;
+  MeshBuilder mesh_;
 };
 
 }  // namespace

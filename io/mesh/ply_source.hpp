@@ -2,6 +2,7 @@
 //   begin_row(element, row)   the values of this row follow
 //   number(type)              the next value; every type of PLY fits into a double exactly
 //   end_row()                 throws if the row holds more
+//   place()                   where the row is, as text
 //   end()                     throws if the file holds more than its header says
 // They throw FileError, naming the row.
 #pragma once
@@ -58,9 +59,8 @@ class AsciiSource {
     if (next_line()) throw FileError(name_, fmt::format("line {}", lines_.number()), kTooLong);
   }
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw FileError(name_, fmt::format("line {}, {}", lines_.number(), row_.text()), what);
-  }
+  std::string place() const { return fmt::format("line {}, {}", lines_.number(), row_.text()); }
+  [[noreturn]] void fail(const std::string& what) const { throw FileError(name_, place(), what); }
 
  private:
   bool next_line() {
@@ -118,7 +118,8 @@ class BinarySource {
       throw FileError(name_, "after the last row", kTooLong);
   }
 
-  [[noreturn]] void fail(const std::string& what) const { throw FileError(name_, row_.text(), what); }
+  std::string place() const { return row_.text(); }
+  [[noreturn]] void fail(const std::string& what) const { throw FileError(name_, place(), what); }
 
  private:
   template <class T>

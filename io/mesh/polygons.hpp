@@ -1,31 +1,45 @@
-// Cuts polygons into triangles, the same way for every format.
+// Cuts the polygons of a file into triangles, the same way for every format, and counts those that leave doubts.
 #pragma once
-#include <fmt/format.h>
-
 #include <cstddef>
 #include <span>
+#include <string>
+#include <vector>
 
-#include "io/mesh/mesh_file.hpp"
+#include "io/mesh/triangulation.hpp"
 
 namespace tamis::io {
 
 class Polygons {
  public:
-  /// Appends the fan around the first corner. REQUIRES: three corners or more.
-  void add(std::span<const Index> corners, MeshFile& mesh) {
-    for (std::size_t i = 2; i < corners.size(); ++i) mesh.faces.push_back({corners[0], corners[i - 1], corners[i]});
-    if (corners.size() > 3) ++cut_;
-  }
+  /// Appends the triangles of polygons: `counts` has the number of corners of each, `corners` all in turn. One with
+  /// fewer than three corners has none. REQUIRES: as many corners as are counted, each the index of a position.
+  void cut_all(std::span<const Index> counts, std::span<const Index> corners, std::span<const Point> positions,
+               std::vector<Face>& faces);
 
-  /// Notes in the mesh how many polygons were cut, if any.
-  void note(MeshFile& mesh) const {
-    if (cut_ == 1) mesh.notes.emplace_back("1 polygon of more than three corners was cut into a fan of triangles");
-    if (cut_ > 1)
-      mesh.notes.push_back(fmt::format("{} polygons of more than three corners were cut into fans of triangles", cut_));
-  }
+  /// Had any polygon more than three corners?
+  bool are_any_cut() const { return cut_ > 0; }
+
+  /// Sentences on polygons that are bent or tangled.
+  std::vector<std::string> doubts() const;
+  /// Before these, how many were cut.
+  std::vector<std::string> notes() const;
 
  private:
+  void cut(std::span<const Index> corners, std::span<const Point> positions, std::vector<Face>& faces);
+
+  /// Polygons of one sort.
+  struct Count {
+    std::size_t count = 0;
+    std::string first;  ///< the vertices of the first one
+
+    void add(std::span<const Index> corners);
+    /// "3 polygons WHAT, the first joins vertices 1, 2, 3, 4".
+    std::string text(const char* one, const char* many) const;
+  };
+
+  Triangulation triangulation_;
   std::size_t cut_ = 0;
+  Count bent_, tangled_;
 };
 
 }  // namespace tamis::io

@@ -1,12 +1,14 @@
 #include "io/motion/mesh_frames.hpp"
 
+#include <algorithm>
+
 #include "io/error.hpp"
 #include "io/mesh/frames.hpp"
 
 namespace tamis::io {
 namespace {
 
-std::string joined(const std::vector<std::string>& sentences) {
+std::string joined(std::span<const std::string> sentences) {
   std::string text;
   for (const std::string& sentence : sentences) text += (text.empty() ? "" : "; ") + sentence;
   return text;
@@ -41,9 +43,12 @@ audit::FramePointer MeshFrames::frame_of(const std::filesystem::path& path) {
   MeshFile file = read_mesh(path);
   std::vector<Point> positions = std::move(file.positions);
   file.positions.clear();
-  const std::string note = mesh_ && file.notes == last_.notes ? "" : joined(file.notes);
-  if (!mesh_ || positions.size() != static_cast<std::size_t>(mesh_->mesh().vertex_count()) ||
-      !has_topology_of(last_, file)) {
+  const bool is_new = !mesh_ || positions.size() != static_cast<std::size_t>(mesh_->mesh().vertex_count()) ||
+                      !has_topology_of(last_, file);
+  const auto said = is_new ? std::span<const std::string>(file.notes) : file.notes_of_later_frame();
+  const bool is_known = !is_new && std::ranges::equal(said, last_.notes_of_later_frame());
+  const std::string note = is_known ? "" : joined(said);
+  if (is_new) {
     last_ = file;
     file.positions.resize(positions.size());
     mesh_ = std::make_shared<audit::AuditedMesh>(mesh_of(std::move(file)), objects_);

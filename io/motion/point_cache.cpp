@@ -54,8 +54,14 @@ PointCacheHeader read_mdd(std::ifstream& file, const std::string& name, std::uin
   PointCacheHeader header{word_at(&counts[kNumber], true), word_at(counts.data(), true), {}, true};
   require_room(header, name, size);
   const std::vector<char> times = take(file, name, kNumber * header.frames);
-  for (std::uint32_t i = 0; i < header.frames; ++i)
-    header.names.push_back(fmt::format("{:g} s", float_at(&times[kNumber * i], true)));
+  header.notes.resize(header.frames);
+  const auto time = [&](std::uint32_t i) { return float_at(&times[kNumber * i], true); };
+  for (std::uint32_t i = 0; i < header.frames; ++i) {
+    header.names.push_back(fmt::format("{:g} s", time(i)));
+    if (i > 0 && !(time(i) > time(i - 1)))
+      header.notes[i] = fmt::format(
+          "its time does not come after {:g} s, the time of the frame before: are frames in order?", time(i - 1));
+  }
   return header;
 }
 
@@ -87,6 +93,7 @@ audit::FramePointer PointCache::next() {
   const ComputingState state;
   if (next_ == header_.frames) return std::exchange(has_ended_, true) ? nullptr : what_is_left();
   audit::Frame frame{header_.names[next_], {}, mesh_};
+  if (!header_.notes.empty()) frame.note = header_.notes[next_];
   if (read(frame.positions)) {
     ++next_;
   } else {

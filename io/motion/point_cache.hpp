@@ -18,6 +18,7 @@ struct PointCacheHeader {
   std::uint32_t frames = 0;
   std::vector<std::string> names;  ///< of the frames, by their times
   bool is_big_endian = false;
+  std::vector<std::string> notes = {};  ///< on each frame, or none at all
 };
 
 /// A frame is read when it is asked for: the file may be larger than the memory.

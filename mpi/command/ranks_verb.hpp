@@ -12,6 +12,7 @@ class RanksVerb : public cli::StepVerb {
   template <class Ask>
   void ask_all(Communicator& communicator, const Ask& ask) {
     const Options options = this->options();
+    if (weld_distance()) throw InvalidOptions("--weld needs the whole mesh: weld it first, and write it as a file");
     parts_ = read_step_parts(communicator, start_, end_, scale());
     detector_.emplace(communicator.raw(), std::move(parts_.mesh), options);
     for (int run = 0; run < repeat_; ++run) ask(*detector_, parts_.step());

@@ -28,7 +28,8 @@ class Sequence final : public cli::SequenceVerb {
     Packer packer;
     together(communicator, [&] {
       check();
-      frames.emplace(names_);
+      frames.emplace(names_, 2, weld_distance());
+      if (communicator.rank() == 0) frames->note_gaps();
       detector.emplace(detector_for(io::mesh_of(frames->first())));
       const std::uint64_t steps = frames->paths().size() - 1;
       const Block block{static_cast<std::uint64_t>(communicator.rank()),

@@ -7,6 +7,9 @@
 #include "io/mesh/frames.hpp"
 #include "io/mesh/mesh_file.hpp"
 #include "io/mesh/ply.hpp"
+#include "io/mesh/polygons.hpp"
+#include "io/mesh/weld.hpp"
+#include "io/motion/mesh_frames.hpp"
 #include "io/output/contacts_csv.hpp"
 #include "io/view/outputs.hpp"
 #include "python/src/arrays.hpp"
@@ -16,14 +19,59 @@
 namespace tamis::python {
 namespace {
 
-nb::tuple read_mesh(const std::filesystem::path& path) {
-  io::MeshFile file;
-  {
-    const nb::gil_scoped_release unlocked;
-    file = io::read_mesh(path);
-  }
+io::MeshFile read(const std::filesystem::path& path) {
+  const nb::gil_scoped_release unlocked;
+  return io::read_mesh(path);
+}
+
+nb::tuple tuple_of(io::MeshFile file) {
   return nb::make_tuple(own<double>(std::move(file.positions)), own<Index>(std::move(file.faces)),
                         own<Index>(std::move(file.loose_edges)), own<Index>(std::move(file.loose_points)), file.notes);
+}
+
+nb::tuple read_mesh(const std::filesystem::path& path) { return tuple_of(read(path)); }
+
+/// Reads frames of one mesh.
+class FrameReader {
+ public:
+  explicit FrameReader(const std::vector<std::string>& names)
+      : paths_(io::frame_files(names)), gaps_(io::gaps_between(paths_)) {}
+
+  std::size_t count() const { return paths_.size(); }
+  nb::tuple first() {
+    first_ = read(paths_.front());
+    return tuple_of(first_);
+  }
+  /// Positions and notes of a later frame. Throws io::FileError unless it is of the first one's mesh.
+  nb::tuple next(std::size_t i) const {
+    io::MeshFile frame = read(paths_.at(i));
+    io::require_same_mesh(first_, paths_.front().string(), frame, paths_[i].string());
+    const auto said = frame.notes_of_later_frame();
+    std::vector<std::string> notes(said.begin(), said.end());
+    if (!gaps_[i].empty()) notes.push_back(gaps_[i]);
+    return nb::make_tuple(own<double>(std::move(frame.positions)), notes);
+  }
+
+ private:
+  std::vector<std::filesystem::path> paths_;
+  std::vector<std::string> gaps_;
+  io::MeshFile first_;
+};
+
+/// Triangles of polygons, and sentences on them.
+nb::tuple cut_polygons(const Indices& counts, const Indices& corners, const Rows& points) {
+  std::vector<Face> faces;
+  io::Polygons polygons;
+  polygons.cut_all({counts.data(), counts.size()}, {corners.data(), corners.size()}, points_of(positions(points)),
+                   faces);
+  return nb::make_tuple(own<Index>(std::move(faces)), polygons.doubts());
+}
+
+/// For each vertex the first one of those that lie together in every frame.
+nb::object weld(const std::vector<Rows>& frames, double distance) {
+  io::Weld weld(frames.front().shape(0), distance);
+  for (const Rows& frame : frames) weld.add_frame(points_of(positions(frame)));
+  return own<Index>(std::vector<Index>(weld.first_of_vertex()));
 }
 
 void write_mesh(const std::filesystem::path& path, const PointRows& positions, const IndexRowsIn<3>& faces,
@@ -62,7 +110,13 @@ void bind_files(nb::module_& module) {
   module.def("write_mesh", &write_mesh);
   module.def("write_contacts", &write_contacts);
   module.def("write_body_contacts", &write_body_contacts);
-  module.def("frame_files", [](const std::vector<std::string>& names) { return io::frame_files(names); });
+  nb::class_<FrameReader>(module, "FrameReader")
+      .def(nb::init<const std::vector<std::string>&>())
+      .def("count", &FrameReader::count)
+      .def("first", &FrameReader::first)
+      .def("next", &FrameReader::next);
+  module.def("cut_polygons", &cut_polygons);
+  module.def("weld", &weld);
 }
 
 }  // namespace tamis::python

@@ -33,6 +33,7 @@ from tamis._scenes import Scene, scene, scene_names, simulate, simulated_scenes
 from tamis._statistics import Statistics
 from tamis._tables._contacts import Contact, Contacts
 from tamis._tables._near import Intersection, Intersections, NearPair, NearPairs
+from tamis._weld import weld
 from tamis._world._bodies import Deforming, Shape
 from tamis._world._tables import (
     BodyContact,
@@ -121,5 +122,6 @@ __all__ = [
     "simulate",
     "simulated_scenes",
     "turned",
+    "weld",
     "write_mesh",
 ]

@@ -6,11 +6,10 @@ import os
 from collections.abc import Iterator
 from typing import NamedTuple
 
-import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, finite, indices, indices_or_none, packed_rows
+from tamis._arrays import Doubles, Indices, finite, indices, indices_or_none, packed_rows
 from tamis._checks import file_name
 from tamis._errors import FileError, InvalidMesh
 from tamis._mesh import Mesh
@@ -35,7 +34,7 @@ class MeshFile(NamedTuple):
 
 
 def read_mesh(path: str | os.PathLike[str]) -> MeshFile:
-    """Read a mesh file (docs/files-and-command.md, "Mesh files"); polygons are cut into fans.
+    """Read a mesh file (docs/files-and-command.md, "Mesh files"); polygons are cut into triangles.
 
     Parameters
     ----------
@@ -52,8 +51,7 @@ def read_mesh(path: str | os.PathLike[str]) -> MeshFile:
     FileError
         The file cannot be used; the message says where in it, and why.
     """
-    positions, faces, edges, points, notes = _core.read_mesh(file_name(path, "path"))
-    return MeshFile(positions, Mesh(faces, len(positions), edges, points), tuple(notes))
+    return _mesh_file(_core.read_mesh(file_name(path, "path")))
 
 
 def write_mesh(
@@ -107,7 +105,8 @@ def read_frames(*names: str | os.PathLike[str]) -> Iterator[MeshFile]:
     Yields
     ------
     MeshFile
-        One frame. All frames share the `Mesh` of the first.
+        One frame. All frames share the `Mesh` of the first. Its notes say if frames are missing before it: from one
+        number to the next.
 
     Raises
     ------
@@ -115,23 +114,20 @@ def read_frames(*names: str | os.PathLike[str]) -> Iterator[MeshFile]:
         A name stands for no file: raised at once. A file cannot be used, or a frame has another topology than the
         first: raised when that frame is read.
     """
-    paths = _core.frame_files([file_name(name, f"names[{i}]") for i, name in enumerate(names)])
-    return _frames(paths)
+    reader = _core.FrameReader([file_name(name, f"names[{i}]") for i, name in enumerate(names)])
+    return _frames(reader)
 
 
-def _frames(paths: list[str]) -> Iterator[MeshFile]:
-    first: Mesh | None = None
-    for path in paths:
-        frame = read_mesh(path)
-        if first is None:
-            first = frame.mesh
-        if not _same(first, frame.mesh):
-            raise FileError(f"{path}: its topology is not that of {paths[0]}: give frames of one mesh")
-        yield frame._replace(mesh=first)
+def _frames(reader: _core.FrameReader) -> Iterator[MeshFile]:
+    if not reader.count():
+        return
+    first = _mesh_file(reader.first())
+    yield first
+    for i in range(1, reader.count()):
+        positions, notes = reader.next(i)
+        yield MeshFile(positions, first.mesh, tuple(notes))
 
 
-def _same(a: Mesh, b: Mesh) -> bool:
-    return a.vertex_count == b.vertex_count and all(
-        np.array_equal(x, y)
-        for x, y in ((a.faces, b.faces), (a.loose_edges, b.loose_edges), (a.loose_points, b.loose_points))
-    )
+def _mesh_file(read: tuple[Doubles, Indices, Indices, Indices, list[str]]) -> MeshFile:
+    positions, faces, edges, points, notes = read
+    return MeshFile(positions, Mesh(faces, len(positions), edges, points), tuple(notes))

@@ -195,3 +195,21 @@ def test_misuse() -> None:
         tamis.audit(FRAMES, faces=FACES, objects=[0, 1])
     with pytest.raises(tamis.InvalidMesh, match="spike"):
         tamis.audit(FRAMES, faces=FACES, objects={"spike": [99]})
+
+
+def test_arrays_whose_first_dimension_is_the_vertex_are_refused() -> None:
+    faces = [[0, 1, 2], [2, 1, 3]]
+    for given in ({"faces": faces}, {"mesh": tamis.Mesh(faces)}):
+        with pytest.raises(tamis.InvalidStep, match=r"give \(frames, vertices, 3\), as numpy.swapaxes"):
+            tamis.audit(np.zeros((4, 9, 3)), **given)
+    assert len(tamis.audit(np.random.default_rng(1).random((4, 4, 3)), faces=faces).frames) == 4
+
+
+def test_vertices_at_one_place_are_noted() -> None:
+    corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    report = tamis.audit([corners, corners], faces=[[0, 1, 2], [3, 4, 5]])
+    assert list(report.notes) == [0] and "2 of 6 vertices lie exactly on another one" in report.notes[0]
+    assert (
+        "the mesh is 100 times as large"
+        in tamis.audit(np.array([corners, np.array(corners) * 100]), faces=[[0, 1, 2]]).notes[1]
+    )

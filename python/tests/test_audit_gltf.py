@@ -179,3 +179,12 @@ def test_nodes_that_are_no_tree(tmp_path: pathlib.Path) -> None:
     nodes[1].children = [9999]
     with pytest.raises(tamis.FileError, match="do not fit each other"):
         tamis.read_gltf(file.save(tmp_path / "none.glb"))
+
+
+def test_version_1_is_refused_with_a_sentence(tmp_path: pathlib.Path) -> None:
+    (tmp_path / "old.gltf").write_text('{"asset": {"version": "1.0"}, "meshes": {"a": {"primitives": []}}}')
+    (tmp_path / "bare.gltf").write_text('{"meshes": {"a": {"primitives": []}}}')
+    (tmp_path / "old.glb").write_bytes(b"glTF\1\0\0\0" + bytes(20))
+    for name in ("old.gltf", "bare.gltf", "old.glb"):
+        with pytest.raises(tamis.FileError, match="glTF 1 is not read: export it as glTF 2"):
+            tamis.read_gltf(tmp_path / name)

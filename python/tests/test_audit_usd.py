@@ -216,3 +216,37 @@ def test_skins_in_an_instance() -> None:
     within.SetInstanceable(True)
     assert _second_points(tamis.read_usd(stage, prims=["/I"])) == _ON_ITS_ARC
     assert _second_points(tamis.read_usd(stage, prims=["/Both"])) == [[x, y, z + 1] for x, y, z in _ON_ITS_ARC]
+
+
+_L = [(2, 0, 0), (2, 1, 0), (1, 1, 0), (1, 2, 0), (0, 2, 0), (0, 0, 0)]
+
+
+def test_polygons_are_cut_inside() -> None:
+    stage = Usd.Stage.CreateInMemory()
+    _mesh(stage, "/L", _L, [6], [0, 1, 2, 3, 4, 5])
+    report = tamis.audit(stage)
+    assert report.is_free and not report.notes
+    points = UsdGeom.Mesh(stage.GetPrimAtPath("/L")).GetPointsAttr()
+    points.Set([*_L[:5], (0, 0, 1)])
+    assert "/L: 1 polygon is not flat" in tamis.audit(stage).notes[0]
+
+
+def test_the_first_frame_tells_how_polygons_are_cut() -> None:
+    stage = Usd.Stage.CreateInMemory()
+    points = _mesh(stage, "/Quad", _L[:4], [4], [0, 1, 2, 3]).GetPointsAttr()
+    points.Set([(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0)], 0)
+    points.Set([(0, 0, 0), (2, 0, 0), (0.1, 0.1, 0), (0, 2, 0)], 1)
+    assert len(tamis.audit(stage).steps) == 1
+
+
+def test_holes_are_left_out() -> None:
+    stage = Usd.Stage.CreateInMemory()
+    spike = [(0.3, 0.3, -1), (0.6, 0.3, 1), (0.4, 0.6, 1)]
+    mesh = _mesh(stage, "/M", [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), *spike], [4, 3], [0, 1, 2, 3, 4, 5, 6])
+    assert not tamis.audit(stage).is_free
+    mesh.CreateHoleIndicesAttr([0])
+    report = tamis.audit(stage)
+    assert report.is_free and "1 of its faces are holes" in report.notes[0]
+    mesh.CreateSubdivisionSchemeAttr("none")
+    report = tamis.audit(stage)
+    assert not report.is_free and "taken as faces" in report.notes[0]

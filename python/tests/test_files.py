@@ -34,6 +34,38 @@ def test_frames_in_natural_order(falling: tamis.Scene, tmp_path: pathlib.Path) -
     assert len(list(tamis.read_frames(tmp_path / "f1.ply", tmp_path / "f2.ply"))) == 2
 
 
+def test_polygons_are_cut_inside(tmp_path: pathlib.Path) -> None:
+    corners = "v 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\n"
+    (tmp_path / "l.obj").write_text(corners + "f 1 2 3 4 5 6\n")
+    read = tamis.read_mesh(tmp_path / "l.obj")
+    assert not tamis.Detector(read.mesh).has_intersection(read.positions)
+
+
+def test_frames_share_the_triangles_of_the_first(tmp_path: pathlib.Path) -> None:
+    for i, corner in ((1, "2 2"), (2, "0.1 0.1"), (4, "2 2")):
+        (tmp_path / f"f{i}.obj").write_text(f"v 0 0 0\nv 2 0 0\nv {corner} 0\nv 0 2 0\nf 2 3 4 1\n")
+    frames = list(tamis.read_frames(tmp_path))
+    assert all(frame.mesh is frames[0].mesh for frame in frames)
+    assert frames[2].notes[-1] == "frame 3 is missing before this one: no step leads here"
+
+
+def test_welding(tmp_path: pathlib.Path) -> None:
+    split = tamis.Mesh([[0, 1, 2], [3, 4, 5]], edges=[[3, 0]], points=[5])
+    start = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [0, 1.25, 0]])
+    assert tamis.weld(split, start).faces.tolist() == [[0, 1, 2], [1, 4, 5]]
+    welded = tamis.weld(split, [start, start + 1], distance=0.25)
+    assert welded.faces.tolist() == [[0, 1, 2], [1, 4, 2]] and welded.loose_edges.tolist() == [[1, 0]]
+    assert welded.loose_points.tolist() == [2] and welded.vertex_count == 6
+    apart = start.copy()
+    apart[3] += 1
+    assert tamis.weld(split, [start, apart]).faces.tolist() == split.faces.tolist()
+    for wrong in (start[:5], np.zeros((0, 6, 3)), start[0]):
+        with pytest.raises(tamis.InvalidMesh):
+            tamis.weld(split, wrong)
+    with pytest.raises(tamis.InvalidOptions):
+        tamis.weld(split, start, distance=-1)
+
+
 def test_frames_of_two_meshes(falling: tamis.Scene, tmp_path: pathlib.Path) -> None:
     tamis.write_mesh(tmp_path / "a1.ply", falling.start, falling.mesh.faces)
     tamis.write_mesh(tmp_path / "a2.ply", falling.start, falling.mesh.faces[:, ::-1])

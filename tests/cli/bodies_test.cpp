@@ -95,8 +95,8 @@ TEST_F(BodiesVerb, DeformingBodiesReadTheirFramesBesideTheFile) {
     folder_.write("there/" + name, "v 0.25 0.25 " + std::to_string(z) + "\nv 5 5 " + std::to_string(z) + "\nv 5 6 " +
                                        std::to_string(z) + "\nf 1 2 3\n");
   };
-  frame("sheet1.obj", 3);
-  frame("sheet2.obj", 1);
+  frame("sheet2.obj", 3);
+  frame("sheet6.obj", 1);
   frame("sheet10.obj", -1);
   folder_.write("there/ground.obj", "v -1 -1 0\nv 2 -1 0\nv -1 2 0\nf 1 2 3\n");
   folder_.write("there/scene.json",

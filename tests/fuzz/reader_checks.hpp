@@ -32,11 +32,11 @@ inline void check_finite(std::span<const Point> points) {
 
 /// What MeshFile promises is what the detector needs.
 inline void check_mesh(const io::MeshFile& mesh) {
-  check_finite(mesh.positions);
   const auto check_indices = [&](std::span<const Index> indices) {
     for (const Index i : indices)
       require(i >= 0 && static_cast<std::size_t>(i) < mesh.positions.size(), "an index out of range",
               [&] { return std::to_string(i); });
+    for (const Index i : indices) check_finite(std::span(mesh.positions).subspan(static_cast<std::size_t>(i), 1));
   };
   for (const Face& f : mesh.faces) check_indices(f);
   for (const Edge& e : mesh.loose_edges) check_indices(e);

@@ -1,5 +1,5 @@
 """Attacks by input files that are cut short at every length, or have some bytes changed."""
-MESHES = ["above.obj", "ascii1.ply", "little1.ply", "big1.ply"]
+MESHES = ["above.obj", "ascii1.ply", "little1.ply", "big1.ply", "solid1.stl", "list1.off"]
 QUERIES = ["asked/vertex-face/1.csv"]  # only tamis-lab reads such files
 MUTATIONS = 400
 

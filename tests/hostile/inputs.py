@@ -24,6 +24,20 @@ def ply(height, order):
     return text + struct.pack(order + "Biii", 3, 0, 1, 2) + struct.pack(order + "Biii", 3, 3, 4, 5)
 
 
+def stl(height):
+    """Return an ascii STL file with two triangles; each corner belongs to one of them."""
+    text = "solid two\n"
+    for triangle in (TRIANGLE, [(0.2, 0.2, height), (0.4, 0.2, height), (0.2, 0.4, height)]):
+        rows = "".join(f"vertex {x} {y} {z}\n" for x, y, z in triangle)
+        text += f"facet normal 0 0 1\nouter loop\n{rows}endloop\nendfacet\n"
+    return text + "endsolid two\n"
+
+
+def off(height):
+    points = TRIANGLE + [(0.2, 0.5, height)]
+    return "OFF\n4 2 0\n" + "".join(f"{x} {y} {z}\n" for x, y, z in points) + "3 0 1 2\n1 3\n"
+
+
 def queries():
     """Return two queries; in the first the vertex falls through the face."""
     face = ["0,1,0,1,0,1", "1,1,0,1,0,1", "0,1,1,1,0,1"]
@@ -65,6 +79,9 @@ def write_inputs(folder):
     for name, order in {"ascii": "", "little": "<", "big": ">"}.items():
         (folder / f"{name}1.ply").write_bytes(ply(1, order))
         (folder / f"{name}2.ply").write_bytes(ply(-2, order))
+    for name, height in {"1": 1, "2": -2}.items():
+        (folder / f"solid{name}.stl").write_text(stl(height))
+        (folder / f"list{name}.off").write_text(off(height))
     # Pictures, which Python draws, take seconds and are not attacked.
     (folder / "bin").mkdir()
     (folder / "bin/python3").write_text("#!/bin/sh\nexit 0\n")

@@ -26,7 +26,8 @@ TEST_F(MeshFiles, TellsFormatsByContentThenByName) {
   const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   EXPECT_EQ(read_mesh(folder_.write("a.dat", ply)).faces.size(), 2u);
   EXPECT_EQ(read_mesh(folder_.write("a.OBJ", obj)).faces.size(), 1u);
-  EXPECT_TRUE(test::contains(error_of(folder_.write("a.stl", "solid cube\n")), "not " + mesh_format_names()));
+  EXPECT_EQ(read_mesh(folder_.write("off.dat", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")).faces.size(), 1u);
+  EXPECT_TRUE(test::contains(error_of(folder_.write("a.dat", "cube\n")), "not " + mesh_format_names()));
   EXPECT_TRUE(test::contains(error_of(folder_.write("b.ply", obj)), "line 1"));
 }
 
@@ -39,6 +40,33 @@ TEST_F(MeshFiles, TakesTextsOfEveryEditor) {
   std::replace(ply.begin(), ply.end(), '\n', '\r');
   EXPECT_EQ(read_mesh(folder_.write("b.ply", ply)).faces.size(), 2u);
   EXPECT_TRUE(test::contains(error_of(folder_.write("mark.obj", mark)), "the file is empty"));
+}
+
+// Bug: a file of another format is refused with an advice that does not help.
+TEST_F(MeshFiles, SaysWhatReadsOtherFormats) {
+  const std::pair<const char*, const char*> cases[] = {{"a.glb", "tamis.audit in Python reads it"},
+                                                       {"a.abc", "Alembic is not read: export"},
+                                                       {"a.vtk", "convert it"},
+                                                       {"a.mdd", "together with a mesh file"},
+                                                       {"a.xyz", "convert it, or let its name end"}};
+  for (const auto& [name, says] : cases) {
+    const std::string message = error_of(folder_.write(name, "what it holds\n"));
+    EXPECT_TRUE(test::contains(message, says)) << message;
+  }
+  const std::string wide("v\0 \0000\0", 8);
+  for (const std::string& text : {"\xff\xfe" + wide, wide, std::string("\0v\0 ", 4)}) {
+    const std::string message = error_of(folder_.write("wide.obj", text));
+    EXPECT_TRUE(test::contains(message, "UTF-16: save it as UTF-8")) << message;
+  }
+}
+
+// Bug: a cloud of points in a foreign element is refused without naming the element.
+TEST_F(MeshFiles, NamesWhatWasSkippedWhereNothingIsLeft) {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+      "element range_grid 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0\n";
+  const std::string message = error_of(folder_.write("scan.ply", ply));
+  EXPECT_TRUE(test::contains(message, "no face and no edge in it (element 'range_grid' was skipped)")) << message;
 }
 
 // Bug: an empty mesh passes for one without contacts.
@@ -62,10 +90,36 @@ TEST_F(MeshFiles, ComparesTopologiesAndNamesTheFirstDifference) {
   EXPECT_TRUE(test::contains(message(other), "3 vertices, but a has 4"));
   other = mesh;
   other.faces[1] = {2, 1, 3};
-  EXPECT_TRUE(test::contains(message(other), "triangle 1"));
+  EXPECT_TRUE(test::contains(message(other), "triangle 1: it lists its vertices in another order than in a"));
+  other.faces[1] = {2, 1, 0};
+  EXPECT_TRUE(test::contains(message(other), "triangle 1: it joins other vertices than in a"));
   other = mesh;
   other.loose_edges.clear();
   EXPECT_TRUE(test::contains(message(other), "0 loose edges, but a has 1"));
+}
+
+// Bug: a face that begins at another corner, or a rod from its other end, is taken for another one.
+TEST_F(MeshFiles, FacesMayBeginAtAnyCorner) {
+  const std::string five = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\n";
+  const MeshFile first = read_mesh(folder_.write("1.obj", five + "f 1 2 3\nf 1 2 3 4\nl 1 5\n"));
+  const MeshFile second = read_mesh(folder_.write("2.obj", five + "f 3 1 2\nf 3 4 1 2\nl 5 1\n"));
+  EXPECT_NO_THROW(require_same_mesh(first, "1", second, "2"));
+  EXPECT_TRUE(has_topology_of(first, second));
+  const MeshFile turned = read_mesh(folder_.write("3.obj", five + "f 1 2 3\nf 1 4 3 2\nl 1 5\n"));
+  const std::string message = test::file_error("3", [&] { require_same_mesh(first, "1", turned, "3"); });
+  EXPECT_TRUE(test::contains(message, "polygon 1: it lists its vertices in another order than in 1")) << message;
+}
+
+// Bug: a polygon that is convex in one frame and concave in the other has other triangles there, so the two are refused
+// as frames of different meshes.
+TEST_F(MeshFiles, PolygonsAreComparedNotTheirTriangles) {
+  const std::string end = "f 1 2 3 4\n";
+  const MeshFile convex = read_mesh(folder_.write("1.obj", "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\n" + end));
+  const MeshFile concave = read_mesh(folder_.write("2.obj", "v 0 0 0\nv 2 0 0\nv 0.5 0.5 0\nv 0 2 0\n" + end));
+  const MeshFile other = read_mesh(folder_.write("3.obj", "v 0 0 0\nv .5 .5 0\nv 2 2 0\nv 0 2 0\n" + end));
+  EXPECT_NE(convex.faces, other.faces);
+  EXPECT_NO_THROW(require_same_mesh(convex, "1", concave, "2"));
+  EXPECT_NO_THROW(require_same_mesh(convex, "1", other, "3"));
 }
 
 }  // namespace

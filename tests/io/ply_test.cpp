@@ -86,8 +86,8 @@ TEST_P(EveryEncoding, SkipsWhatItDoesNotKnowAndTakesElementsInAnyOrder) {
   EXPECT_EQ(mesh.notes, (std::vector<std::string>{"element 'camera' was skipped"}));
 }
 
-// Bug: a fan that starts at the wrong corner, or polygons cut without a word.
-TEST_P(EveryEncoding, CutsPolygonsIntoFansAndSaysSo) {
+// Bug: a fan that starts at the wrong corner, or polygons cut, crossed or without area, without a word.
+TEST_P(EveryEncoding, CutsPolygonsIntoTrianglesAndSaysSo) {
   PlyBuilder ply(GetParam());
   ply.header("element vertex 5").header("property float x").header("property float y").header("property float z");
   ply.header("element face 2").header("property list uchar int vertex_indices").end_header();
@@ -99,7 +99,25 @@ TEST_P(EveryEncoding, CutsPolygonsIntoFansAndSaysSo) {
   const MeshFile mesh = parse_ply(ply.text(), "m.ply");
   EXPECT_EQ(mesh.faces, (std::vector<Face>{{0, 1, 2}, {4, 3, 2}, {4, 2, 1}, {4, 1, 0}}));
   EXPECT_EQ(mesh.notes,
-            (std::vector<std::string>{"1 polygon of more than three corners was cut into a fan of triangles"}));
+            (std::vector<std::string>{"1 polygon of more than three corners was cut into triangles",
+                                      "1 polygon crosses itself or has no area, the first joins vertices 4, 3, 2, 1, "
+                                      "0: their triangles may overlap, correct them"}));
+}
+
+// Bug: strips, as range scanners write them, are skipped or wound every second time the other way.
+TEST_P(EveryEncoding, ReadsStripsOfTriangles) {
+  for (const auto& [type, end] : {std::pair("int", -1.0), std::pair("uint", 4294967295.0)}) {
+    PlyBuilder ply(GetParam());
+    ply.header("element vertex 6").header("property float x").header("property float y").header("property float z");
+    ply.header("element tristrips 1").header("property list int " + std::string(type) + " vertex_indices").end_header();
+    for (int v = 0; v < 6; ++v) ply.value("float", v / 2).value("float", v % 2).value("float", 0).end_row();
+    ply.value("int", 12);
+    for (const double v : {0.0, 1.0, 2.0, 3.0, 3.0, 4.0, end, 2.0, 3.0, 4.0, end, 5.0}) ply.value(type, v);
+    ply.end_row();
+    const MeshFile mesh = parse_ply(ply.text(), "m.ply");
+    EXPECT_EQ(mesh.faces, (std::vector<Face>{{0, 1, 2}, {1, 3, 2}, {2, 3, 4}}));
+    EXPECT_TRUE(mesh.notes.empty());
+  }
 }
 
 // Bug: files from Windows are refused.

@@ -12,7 +12,7 @@ MovingBodies::MovingBodies(const std::filesystem::path& path) : path_(path), fil
   for (std::size_t i = 0; i < file_.bodies.size(); ++i) {
     const auto& body = file_.bodies[i];
     names_.push_back(body.name);
-    if (!body.frames.empty()) frames_.emplace(i, MovingFrames(body.frames));
+    if (!body.frames.empty()) frames_.emplace(i, MovingFrames(body.frames)).first->second.require_no_gap();
     motions_.push_back(motion_from(i, body.frames.empty() ? std::vector<Point>() : mesh_of(i).positions));
   }
 }

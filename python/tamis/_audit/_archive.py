@@ -12,9 +12,9 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import indices, rows
-from tamis._audit._recorded import Frame
+from tamis._audit._recorded import Frame, require_frames_first
 from tamis._audit._shared import Objects, shared_mesh
-from tamis._errors import FileError, InvalidMesh
+from tamis._errors import Error, FileError, InvalidMesh
 from tamis._mesh import Mesh
 
 
@@ -38,7 +38,7 @@ def archive_frames(
             shared = mesh_of(positions.shape[1]) if mesh_of else _mesh_in(path, archive, members, positions, objects)
             yield from _stream(path, archive, positions, shared)
     except (OSError, zipfile.BadZipFile, ValueError, EOFError) as error:
-        if isinstance(error, (FileError, InvalidMesh)):
+        if isinstance(error, Error):
             raise
         raise FileError(f"{path}: cannot be read ({error}): give an archive that numpy.savez has written") from None
 
@@ -73,7 +73,10 @@ def _mesh_in(
     )
     with archive.open(faces.name) as file:
         triangles: npt.NDArray[np.generic] = npy.read_array(file)
-    return shared_mesh(Mesh(indices(triangles, 3, faces.name, InvalidMesh), positions.shape[1]), objects)
+    rows_of_faces = indices(triangles, 3, faces.name, InvalidMesh)
+    if rows_of_faces.size:
+        require_frames_first(positions.name, positions.shape, int(rows_of_faces.max()) + 1)
+    return shared_mesh(Mesh(rows_of_faces, positions.shape[1]), objects)
 
 
 def _stream(path: str, archive: zipfile.ZipFile, member: _Member, shared: _core.SharedMesh) -> Iterator[Frame]:

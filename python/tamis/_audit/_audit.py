@@ -15,7 +15,7 @@ from tamis._arrays import indices, point_frames, rows
 from tamis._audit._archive import archive_frames
 from tamis._audit._gltf import read_gltf
 from tamis._audit._options import make_audit_options
-from tamis._audit._recorded import Frame, Motion
+from tamis._audit._recorded import Frame, Motion, require_frames_first
 from tamis._audit._report import AuditReport
 from tamis._audit._shared import Objects, shared_mesh
 from tamis._audit._usd import read_usd
@@ -131,6 +131,13 @@ class _Known:
             raise InvalidMesh("these frames are positions alone: give mesh=..., or faces=...")
         return shared_mesh(self._mesh, self.objects)
 
+    def require_not_swapped(self, name: str, shape: tuple[int, ...]) -> None:
+        """Raise InvalidStep if the array has a row for each vertex where frames belong."""
+        if self._mesh is not None:
+            require_frames_first(name, shape, self._mesh.vertex_count)
+        elif self._faces is not None and self._faces.size:
+            require_frames_first(name, shape, int(self._faces.max()) + 1)
+
     def require_none(self, what: str) -> None:
         if self.is_given:
             raise InvalidMesh(f"{what} brings its own mesh: leave out mesh and faces")
@@ -188,7 +195,7 @@ def _frames_of(source: Any, known: _Known) -> Iterator[Frame]:
         return read_usd(source)._frames()
     if isinstance(source, np.ndarray) or not hasattr(source, "__iter__"):
         source = source if _is_stack(source) else point_frames(source, "source", InvalidStep)
-    return _frames_of_items(iter(source), known)
+    return _frames_of_items(iter(source), known, np.shape(source) if isinstance(source, np.ndarray) else ())
 
 
 def _is_stack(source: Any) -> bool:
@@ -196,7 +203,7 @@ def _is_stack(source: Any) -> bool:
     return isinstance(source, np.ndarray) and source.ndim == 3 and source.dtype.kind in "iuf"
 
 
-def _frames_of_items(items: Iterator[Any], known: _Known) -> Iterator[Frame]:
+def _frames_of_items(items: Iterator[Any], known: _Known, shape: tuple[int, ...]) -> Iterator[Frame]:
     first = next(items, None)
     if first is None:
         raise InvalidStep("source has no frame: give one or more")
@@ -204,22 +211,27 @@ def _frames_of_items(items: Iterator[Any], known: _Known) -> Iterator[Frame]:
     if isinstance(first, MeshFile):
         known.require_none("what read_frames gives")
         return _frames_of_meshes(frames, known.objects)
-    return _frames_of_rows(frames, known)
+    return _frames_of_rows(frames, known, shape)
 
 
-def _frames_of_rows(items: Iterable[Any], known: _Known) -> Iterator[Frame]:
+def _frames_of_rows(items: Iterable[Any], known: _Known, shape: tuple[int, ...]) -> Iterator[Frame]:
     shared: _core.SharedMesh | None = None
     for i, item in enumerate(items):
         frame = rows(item, f"source[{i}]")
+        if not i:
+            known.require_not_swapped("source", shape)
         shared = shared or known.of(len(frame))
         yield Frame(str(i), frame, shared)
 
 
 def _frames_of_meshes(items: Iterator[Any], objects: Objects | None) -> Iterator[Frame]:
     last: tuple[Mesh, _core.SharedMesh] | None = None
+    said: set[str] = set()
     for i, item in enumerate(items):
         if not isinstance(item, MeshFile):
             raise InvalidStep(f"source[{i}] is {shown(item)}, the first a MeshFile: give frames of one kind")
         if last is None or item.mesh is not last[0]:
             last = (item.mesh, shared_mesh(item.mesh, objects))
-        yield Frame(str(i), rows(item.positions, f"source[{i}]"), last[1], note="; ".join(item.notes if i == 0 else ()))
+        notes = [note for note in item.notes if note not in said]
+        said.update(notes)
+        yield Frame(str(i), rows(item.positions, f"source[{i}]"), last[1], note="; ".join(notes))

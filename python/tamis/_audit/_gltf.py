@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Iterator
 from typing import Any
@@ -99,9 +100,26 @@ def _note(gltf: Any, animation: int | str | None) -> str:
     return "; ".join(notes)
 
 
+def _require_version_2(name: str) -> None:
+    """Raise FileError for glTF 1, which has objects by name where 2 has lists; other faults are left to the reader."""
+    try:
+        with open(name, "rb") as file:
+            head = file.read(8)
+            is_first = head == b"glTF\x01\0\0\0"
+            if not head.startswith(b"glTF"):
+                given = json.loads(head + file.read())
+                version = str(given.get("asset", {}).get("version", ""))
+                is_first = version.startswith("1") or (not version and isinstance(given.get("meshes"), dict))
+    except (OSError, ValueError, AttributeError):
+        return
+    if is_first:
+        raise FileError(f"{name}: glTF 1 is not read: export it as glTF 2")
+
+
 def _load(name: str) -> Any:
     import pygltflib
 
+    _require_version_2(name)
     try:
         gltf = pygltflib.GLTF2().load(name)
     except Exception as error:  # the package lets exceptions of all kinds through: KeyError, struct.error, ...

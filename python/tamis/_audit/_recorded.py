@@ -8,7 +8,7 @@ from typing import Callable, NamedTuple
 from tamis import _core
 from tamis._arrays import Doubles
 from tamis._checks import shown
-from tamis._errors import Error
+from tamis._errors import Error, InvalidStep
 
 
 class Frame(NamedTuple):
@@ -19,6 +19,15 @@ class Frame(NamedTuple):
     mesh: _core.SharedMesh | None
     problem: str = ""
     note: str = ""
+
+
+def require_frames_first(name: str, shape: tuple[int, ...], vertices: int) -> None:
+    """Raise InvalidStep if the first dimension of the array counts the vertices, and the second does not."""
+    if len(shape) == 3 and shape[0] == vertices != shape[1]:
+        raise InvalidStep(
+            f"{name} has the shape {shape}, and the faces name {vertices} vertices: give (frames, vertices, 3), as "
+            "numpy.swapaxes(array, 0, 1) does; if these are frames, give mesh=tamis.Mesh(faces, vertices)"
+        )
 
 
 class Motion:

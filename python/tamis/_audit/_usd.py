@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Doubles, Indices
@@ -24,7 +23,7 @@ if TYPE_CHECKING:
 
 
 def read_usd(stage: str | os.PathLike[str] | Usd.Stage, *, prims: Sequence[str] | None = None) -> Motion:
-    """Read the meshes of a USD stage in motion: composed, in world space, polygons cut into fans.
+    """Read the meshes of a USD stage in motion: composed, in world space, polygons cut into triangles.
 
     The frames are at the times at which points or transforms of a mesh are written. If something turns, scales, follows
     a spline or has a skin, they are also at the times of the stage's own frames (framesPerSecond). Each mesh is an
@@ -99,52 +98,75 @@ class _Meshes:
 
         transforms = UsdGeom.XformCache()
         changes = any(_may_change_topology(mesh) for mesh in self.prims)
-        parts = [_part(mesh, self.times[0]) for mesh in self.prims]
-        shared = joined(parts)
+        surfaces: list[_Surface] = []
+        shared = None
         for i, time in enumerate(self.times):
-            new = [_part(mesh, time) for mesh in self.prims] if i and changes else parts
-            if not _same(new, parts):
-                parts, shared = new, joined(new)
+            new = surfaces if i and not changes else [_surface(mesh, time) for mesh in self.prims]
             transforms.SetTime(time)
             placed = [_world_points(mesh, time, transforms) for mesh in self.prims]
-            yield self._frame(i, time, placed, shared)
-
-    def _frame(self, i: int, time: Any, placed: list[Doubles], shared: _core.SharedMesh) -> Frame:
-        name = "default" if time.IsDefault() else f"{time.GetValue():g}"
-        return Frame(name, np.concatenate(placed), shared, note="" if i else self._note)
+            note = "" if i else self._note
+            if shared is None or not _same(new, surfaces):
+                surfaces, (shared, cut) = new, _joined(new, placed)
+                note = "; ".join(filter(None, (note, cut)))
+            name = "default" if time.IsDefault() else f"{time.GetValue():g}"
+            yield Frame(name, np.concatenate(placed), shared, note=note)
 
 
 def _may_change_topology(mesh: Any) -> bool:
-    counts, corners = mesh.GetFaceVertexCountsAttr(), mesh.GetFaceVertexIndicesAttr()
-    return bool(counts.ValueMightBeTimeVarying() or corners.ValueMightBeTimeVarying())
+    attributes = (mesh.GetFaceVertexCountsAttr(), mesh.GetFaceVertexIndicesAttr(), mesh.GetHoleIndicesAttr())
+    return any(attribute.ValueMightBeTimeVarying() for attribute in attributes)
 
 
-def _part(mesh: Any, time: Any) -> Part:
+class _Surface(NamedTuple):
+    """The polygons of a mesh at one time, without those that are holes."""
+
+    path: str
+    vertices: int
+    counts: Indices
+    corners: Indices
+    note: str
+
+    def is_same(self, other: _Surface) -> bool:
+        return self.vertices == other.vertices and all(
+            np.array_equal(a, b) for a, b in ((self.counts, other.counts), (self.corners, other.corners))
+        )
+
+    def part(self, points: Doubles) -> tuple[Part, list[str]]:
+        """Cut the polygons as they lie at these points; return sentences on them, too."""
+        faces, notes = _core.cut_polygons(self.counts, self.corners, points)
+        if self.note:
+            notes.append(self.note)
+        return Part(self.path, self.vertices, faces), notes
+
+
+def _surface(mesh: Any, time: Any) -> _Surface:
     counts = np.array(mesh.GetFaceVertexCountsAttr().Get(time) or [], np.int64)
     corners = np.array(mesh.GetFaceVertexIndicesAttr().Get(time) or [], np.int64)
     path, vertices = str(mesh.GetPath()), len(mesh.GetPointsAttr().Get(time) or [])
     is_sound = (counts >= 0).all() and counts.sum() == len(corners)
     if not is_sound or (len(corners) and not 0 <= corners.min() <= corners.max() < vertices):
         raise FileError(f"{path}: its polygons do not fit its {vertices} points at time {time}: write the mesh again")
-    return Part(path, vertices, _fans(counts, corners))
+    is_hole = np.zeros(len(counts), bool)
+    holes = np.array(mesh.GetHoleIndicesAttr().Get(time) or [], np.int64)
+    is_hole[holes[(holes >= 0) & (holes < len(counts))]] = True
+    note = f"{int(is_hole.sum())} of its faces are holes (holeIndices), and are left out" if is_hole.any() else ""
+    if note and mesh.GetSubdivisionSchemeAttr().Get(time) == "none":  # by USD's rule only subdivision has holes
+        is_hole[:] = False
+        note = "holeIndices is for subdivision surfaces, so its faces are taken as faces"
+    kept = corners[~np.repeat(is_hole, counts)]
+    return _Surface(path, vertices, counts[~is_hole].astype(np.int32), kept.astype(np.int32), note)
 
 
-def _fans(counts: npt.NDArray[np.integer], corners: npt.NDArray[np.integer]) -> Indices:
-    """Cut polygons into fans of triangles, shape (t, 3); `counts`: corners of each polygon, `corners`: all of them."""
-    counts = np.asarray(counts, np.int64)
-    first = np.concatenate([[0], np.cumsum(counts)[:-1]]) if len(counts) else np.empty(0, np.int64)
-    of_polygon = np.maximum(counts - 2, 0)
-    start = np.repeat(first, of_polygon)
-    place = np.arange(of_polygon.sum()) - np.repeat(np.cumsum(of_polygon) - of_polygon, of_polygon)
-    corner = np.stack([start, start + place + 1, start + place + 2], axis=1)
-    triangles: Indices = np.asarray(corners, np.int32)[corner]
-    return triangles
+def _joined(surfaces: list[_Surface], points: list[Doubles]) -> tuple[_core.SharedMesh, str]:
+    """Return one mesh of all surfaces, and what to know about them: the sentences of the first three that have some."""
+    cut = [surface.part(where) for surface, where in zip(surfaces, points)]
+    noted = [f"{part.name}: {'; '.join(notes)}" for part, notes in cut if notes]
+    more = [f"and so on for {len(noted) - 3} more meshes"] if len(noted) > 3 else []
+    return joined([part for part, _ in cut]), "; ".join(noted[:3] + more)
 
 
-def _same(a: list[Part], b: list[Part]) -> bool:
-    return len(a) == len(b) and all(
-        x.vertex_count == y.vertex_count and np.array_equal(x.faces, y.faces) for x, y in zip(a, b)
-    )
+def _same(a: list[_Surface], b: list[_Surface]) -> bool:
+    return len(a) == len(b) and all(x.is_same(y) for x, y in zip(a, b))
 
 
 def _world_points(mesh: Any, time: Any, transforms: Any) -> Doubles:

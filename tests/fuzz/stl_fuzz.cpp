@@ -1,0 +1,9 @@
+// Any bytes through the STL reader: a usable mesh, or one printable sentence.
+#include "fuzz/reader_checks.hpp"
+#include "io/mesh/stl.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  tamis::fuzz::check_reader(
+      data, size, [](std::string_view bytes) { tamis::fuzz::check_mesh(tamis::io::parse_stl(bytes, "file")); });
+  return 0;
+}

@@ -61,7 +61,7 @@ class Bodies final : public Verb {
     std::optional<io::BodiesCsv> csv;
     std::optional<BodiesFilm> film;
     if (is_film)
-      film.emplace(bodies, detector_.options());
+      film.emplace(bodies, detector_.options(), own.at_start);
     else if (!out_.empty())
       csv.emplace(out_);
     table.print_head();
@@ -73,7 +73,7 @@ class Bodies final : public Verb {
         return ask_repeatedly(world, repeat_, [&] { contacts = world.contacts(own); });
       });
       if (csv) csv->add(step, contacts, bodies.names());
-      if (film) film->add(step, contacts);
+      if (film) film->add(step, contacts, world.statistics().ignored);
       progress.clear();
       table.add(contacts, world.statistics(), timing);
       progress.show(step);

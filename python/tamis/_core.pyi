@@ -118,6 +118,7 @@ class AuditOptions:
         contacts: bool,
         ring_limit: int,
         listed_pairs: int,
+        page_bytes: int,
         progress: Callable[[int], object] | None,
     ) -> None: ...
 

@@ -15,6 +15,7 @@ from tamis._audit._joined import Part, joined
 from tamis._audit._recorded import Frame, Motion
 from tamis._checks import file_name, number
 from tamis._errors import Error, FileError, InvalidOptions
+from tamis._versions import needed
 
 # Extensions that do not change where vertices are.
 _HARMLESS = (
@@ -100,7 +101,8 @@ def _note(gltf: Any, animation: int | str | None) -> str:
 
 
 def _load(name: str) -> Any:
-    import pygltflib
+    with needed("pygltflib", "read_gltf"):
+        import pygltflib
 
     try:
         gltf = pygltflib.GLTF2().load(name)

@@ -3,6 +3,7 @@
 #include <tbb/task_arena.h>
 
 #include "audit/asker_pool.hpp"
+#include "audit/new_pairs.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::audit {
@@ -16,6 +17,7 @@ void require_not_cancelled(const Options& options) {
 
 /// Adds findings to the report until all runs are asked about. Throws if the audit ends before.
 void ask_all(FrameRuns& runs, AskerPool& pool, ReportBuilder& builder, const Options& options) {
+  NewPairs new_pairs;
   bool has_more = true;
   while (has_more || !pool.is_idle()) {
     require_not_cancelled(options);
@@ -27,7 +29,10 @@ void ask_all(FrameRuns& runs, AskerPool& pool, ReportBuilder& builder, const Opt
     }
     std::optional<RunFindings> found = pool.take();
     if (!found) continue;
-    for (FrameFindings& frame : found->frames) builder.add(std::move(frame));
+    for (FrameFindings& frame : found->frames) {
+      new_pairs.mark(frame);
+      builder.add(std::move(frame));
+    }
     if (options.progress) options.progress(builder.report().frames.size());
     if (found->error) std::rethrow_exception(found->error);
   }

@@ -13,6 +13,7 @@ Added Auditor::add(std::vector<Point> positions, std::string name) {
   if (name.empty()) name = std::to_string(number);
   FramePointer frame = std::make_shared<const Frame>(Frame{std::move(name), std::move(positions), mesh_});
   FrameFindings found = asker_.ask(before_, frame, number);
+  new_pairs_.mark(found);
   Added added{found.answer, found.pairs};
   builder_.add(std::move(found));
   before_ = std::move(frame);

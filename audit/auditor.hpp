@@ -3,6 +3,7 @@
 #include <string>
 
 #include "audit/frame_asker.hpp"
+#include "audit/new_pairs.hpp"
 #include "audit/report.hpp"
 
 namespace tamis::audit {
@@ -31,6 +32,7 @@ class Auditor {
   const Options options_;
   std::shared_ptr<const AuditedMesh> mesh_;
   FrameAsker asker_;
+  NewPairs new_pairs_;
   ReportBuilder builder_;
   FramePointer before_;
 };

@@ -38,6 +38,8 @@ struct Finding {
   std::array<Index, 2> objects;
   /// As RingSearch counts: 1 for topological neighbours, limit + 1 beyond the limit, -1 if not connected.
   Index rings;
+  /// The frame before, with the step to it, has no such pair: the same kind and vertices (NewPairs).
+  bool is_new;
 };
 
 /// One frame and the step that ends there, in numbers.
@@ -48,6 +50,7 @@ struct FrameAnswer {
   bool has_step = false;                       ///< a step that ends here was asked about
   std::array<std::uint64_t, kKinds> counts{};  ///< by Kind
   std::uint64_t neighbours = 0;                ///< of these, pairs one edge apart
+  std::uint64_t fresh = 0;                     ///< of these, pairs that are new since the frame before
   double toi_lower = 1;                        ///< proven: the step is free before
   double toi_upper = 1;
 
@@ -63,6 +66,7 @@ struct FrameFindings {
   FramePointer frame;
   FrameAnswer answer;
   std::vector<Finding> pairs;  ///< intersections, then contacts, each in the detector's order
+  std::vector<bool> is_new;    ///< of each of `pairs`
   std::vector<Contact> contacts;
   std::vector<Intersection> intersections;
 };

@@ -52,7 +52,7 @@ FrameAsker::FrameAsker(const Options& options, int threads, std::function<bool()
     : options_(options), threads_(threads), is_cancelled_(std::move(is_cancelled)) {}
 
 FrameFindings FrameAsker::ask(const FramePointer& before, const FramePointer& frame, std::int64_t number) {
-  FrameFindings findings{number, nullptr, frame, {frame->name, problem_of(*frame), frame->note}, {}, {}, {}};
+  FrameFindings findings{number, nullptr, frame, {frame->name, problem_of(*frame), frame->note}, {}, {}, {}, {}};
   if (!findings.answer.problem.empty()) return findings;
   use(frame->mesh);
   if (before && before->mesh && before->mesh != frame->mesh)
@@ -123,7 +123,7 @@ Finding FrameAsker::finding(std::int64_t number, Kind kind, std::span<const Inde
   vertices.fill(-1);
   std::copy(second.begin(), second.end(), std::copy(first.begin(), first.end(), vertices.begin()));
   const std::array objects{mesh_->object_of(first.front()), mesh_->object_of(second.front())};
-  return {number, kind, vertices, 1, 1, objects, rings_->between(first, second)};
+  return {number, kind, vertices, 1, 1, objects, rings_->between(first, second), false};
 }
 
 }  // namespace tamis::audit

@@ -1,6 +1,7 @@
 #include "audit/kept_frames.hpp"
 
 #include <algorithm>
+#include <climits>
 
 namespace tamis::audit {
 namespace {
@@ -10,7 +11,8 @@ std::size_t bytes_of(const FramePointer& frame) { return frame ? frame->position
 /// Counts the frame before, even if that frame is kept as well: at most twice the memory that is taken.
 std::size_t bytes_of(const FrameFindings& findings) {
   return sizeof(FrameFindings) + bytes_of(findings.before) + bytes_of(findings.frame) +
-         findings.contacts.size() * sizeof(Contact) + findings.intersections.size() * sizeof(Intersection);
+         findings.contacts.size() * sizeof(Contact) + findings.intersections.size() * sizeof(Intersection) +
+         findings.is_new.size() / CHAR_BIT;
 }
 
 }  // namespace

@@ -38,6 +38,12 @@ std::optional<std::size_t> Report::first_bad() const {
   return static_cast<std::size_t>(found - frames.begin());
 }
 
+std::optional<std::size_t> Report::first_new() const {
+  const auto found = std::find_if(frames.begin(), frames.end(), [](const FrameAnswer& f) { return f.fresh > 0; });
+  if (found == frames.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - frames.begin());
+}
+
 std::string Report::object_name(const Finding& pair, std::size_t feature) const {
   const auto is_later = [](std::size_t frame, const Segment& segment) { return frame < segment.first_frame; };
   const auto next = std::upper_bound(segments.begin(), segments.end(), static_cast<std::size_t>(pair.frame), is_later);
@@ -46,6 +52,7 @@ std::string Report::object_name(const Finding& pair, std::size_t feature) const 
 
 ReportBuilder::ReportBuilder(const Options& options) : listed_pairs_(options.listed_pairs) {
   report_.min_separation = options.min_separation;
+  report_.asks_intersections = options.intersections;
   report_.ring_limit = options.ring_limit;
   report_.by_rings.assign(static_cast<std::size_t>(options.ring_limit) + 2, 0);
   report_.kept = KeptFrames(options.kept_bytes);
@@ -67,6 +74,7 @@ void ReportBuilder::begin_segment(const FrameFindings& findings) {
 void ReportBuilder::count(const FrameFindings& findings) {
   report_.steps += findings.answer.has_step ? 1 : 0;
   report_.problems += findings.answer.problem.empty() ? 0 : 1;
+  report_.fresh += findings.answer.fresh;
   for (std::size_t kind = 0; kind < kKinds; ++kind) report_.counts[kind] += findings.answer.counts[kind];
   for (const Finding& pair : findings.pairs)
     ++(pair.rings == kNotConnected ? report_.by_rings.back()

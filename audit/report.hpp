@@ -18,6 +18,7 @@ struct Segment {
 
 struct Report {
   double min_separation = 0;
+  bool asks_intersections = true;
   Index ring_limit = 0;
   std::vector<Segment> segments;
   std::vector<FrameAnswer> frames;  ///< those that were asked about, in their order
@@ -27,6 +28,7 @@ struct Report {
   /// connected.
   std::vector<std::uint64_t> by_rings;
   std::array<std::uint64_t, kKinds> counts{};
+  std::uint64_t fresh = 0;     ///< of these, pairs that are new since the frame before
   std::uint64_t steps = 0;     ///< that were asked about
   std::uint64_t problems = 0;  ///< frames that could not be asked about
   KeptFrames kept;
@@ -37,6 +39,8 @@ struct Report {
   bool is_free() const;
   /// The first frame with an intersection, or at which a step with contacts ends.
   std::optional<std::size_t> first_bad() const;
+  /// The first frame with a pair that is new since the frame before.
+  std::optional<std::size_t> first_new() const;
   std::string object_name(const Finding& pair, std::size_t feature) const;
 };
 

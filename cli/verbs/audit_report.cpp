@@ -34,15 +34,15 @@ std::string name_of_rings(const Report& report, std::size_t place) {
 
 void print_row(const Report& report, std::size_t i) {
   const FrameAnswer& frame = report.frames[i];
-  fmt::print("{:>7} {:<24} {:>13} {:>11} {:>10} {:>14}\n", i, printable(frame.name), grouped(frame.intersections()),
-             grouped(frame.contacts()), grouped(frame.neighbours),
+  fmt::print("{:>7} {:<24} {:>13} {:>11} {:>8} {:>10} {:>14}\n", i, printable(frame.name),
+             grouped(frame.intersections()), grouped(frame.contacts()), grouped(frame.fresh), grouped(frame.neighbours),
              frame.contacts() == 0 ? std::string("end") : no_later(frame.toi_lower));
 }
 
 void print_bad(const Report& report, const std::vector<std::size_t>& bad) {
   if (bad.empty()) return;
-  fmt::print("\n{:>7} {:<24} {:>13} {:>11} {:>10} {:>14}\n", "frame", "name", "intersections", "contacts", "neighbours",
-             "free until");
+  fmt::print("\n{:>7} {:<24} {:>13} {:>11} {:>8} {:>10} {:>14}\n", "frame", "name", "intersections", "contacts", "new",
+             "neighbours", "free until");
   for (std::size_t i = 0; i < std::min(bad.size(), kFramesPrinted); ++i) print_row(report, bad[i]);
   if (bad.size() > kFramesPrinted)
     fmt::print("and {} more: --json, --out-frames FILE.csv and --out FILE.csv or FILE.html have all\n",
@@ -59,6 +59,15 @@ void print_rings(const Report& report) {
   if (!text.empty()) fmt::print("rings           {}\n", text);
 }
 
+/// Pairs that the frame before did not have.
+void print_new(const Report& report) {
+  const auto first = report.first_new();
+  const auto is_new = [](const FrameAnswer& frame) { return frame.fresh > 0; };
+  const auto frames = static_cast<std::uint64_t>(std::count_if(report.frames.begin(), report.frames.end(), is_new));
+  fmt::print("new             {} in {}, not in the frame before{}\n", grouped(report.fresh), counted(frames, "frame"),
+             first ? fmt::format("; first frame {}, {}", *first, printable(report.frames[*first].name)) : "");
+}
+
 void print_found(const Report& report, const std::vector<std::size_t>& bad) {
   const auto& [vf, ee, ve, vv, ef] = report.counts;
   const auto count = [&](auto is_counted) {
@@ -71,6 +80,7 @@ void print_found(const Report& report, const std::vector<std::size_t>& bad) {
              counted(steps, "step"), grouped(vf), grouped(ee), of_loose_points(ve, vv));
   print_rings(report);
   fmt::print("first bad       frame {}, {}\n", bad.front(), printable(report.frames[bad.front()].name));
+  print_new(report);
 }
 
 Json json_of_frame(const FrameAnswer& frame, std::size_t number) {
@@ -78,6 +88,7 @@ Json json_of_frame(const FrameAnswer& frame, std::size_t number) {
   json["contacts"] = {
       {"vf", frame.counts[0]}, {"ee", frame.counts[1]}, {"ve", frame.counts[2]}, {"vv", frame.counts[3]}};
   json["neighbours"] = frame.neighbours;
+  json["new"] = frame.fresh;
   add_bracket(json, frame.contacts() == 0, frame.toi_lower, frame.toi_upper);
   return json;
 }
@@ -88,6 +99,7 @@ Json json_of(const Report& report, const audit::Finding& pair) {
   add_bracket(json, pair.kind == audit::Kind::edge_face, pair.toi_lower, pair.toi_upper);
   json["objects"] = {report.object_name(pair, 0), report.object_name(pair, 1)};
   json["rings"] = pair.rings == audit::kNotConnected ? Json() : Json(pair.rings);
+  json["new"] = pair.is_new;
   return json;
 }
 
@@ -131,10 +143,13 @@ void print_audit(const Report& report, double seconds) {
 Json audit_json(const Report& report, double seconds) {
   const auto& [vf, ee, ve, vv, ef] = report.counts;
   const auto first = report.first_bad();
+  const auto first_new = report.first_new();
   Json json{{"free", report.is_free()},
             {"frames", report.frames.size()},
             {"steps", report.steps},
             {"first_bad", first ? json_of_frame(report.frames[*first], *first) : Json()},
+            {"first_new", first_new ? json_of_frame(report.frames[*first_new], *first_new) : Json()},
+            {"new", report.fresh},
             {"intersections", ef},
             {"contacts", {{"vf", vf}, {"ee", ee}, {"ve", ve}, {"vv", vv}}},
             {"rings", rings_of(report)},

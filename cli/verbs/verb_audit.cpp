@@ -59,6 +59,7 @@ class Audit final : public Verb {
     options.add_number("--pairs", "N", options_.listed_pairs, NumberRange<std::uint64_t>{0, kMostPairs},
                        "list no more than N pairs; all are counted; default 1000000");
     weld_.declare(options);
+    options.add_flag("--new", only_new_, "exit code 1 only for pairs that the frame before did not have");
     declare_json(options, json_);
   }
 
@@ -116,8 +117,8 @@ class Audit final : public Verb {
   }
 
   /// A contact or intersection decides, even if other frames could not be asked about.
-  static int verdict(const audit::Report& report) {
-    if (report.first_bad()) return kNo;
+  int verdict(const audit::Report& report) const {
+    if (only_new_ ? report.first_new() : report.first_bad()) return kNo;
     if (report.ended_by) std::rethrow_exception(report.ended_by);
     return report.problems == 0 ? kSuccess : fail(problem_of(report));
   }
@@ -125,7 +126,7 @@ class Audit final : public Verb {
   std::vector<std::string> names_;
   std::string out_, out_frames_;
   audit::Options options_;
-  bool no_intersections_ = false, no_contacts_ = false;
+  bool no_intersections_ = false, no_contacts_ = false, only_new_ = false;
   WeldArgument weld_;
   bool json_ = false;
 };

@@ -64,7 +64,7 @@ class Bodies final : public Verb {
     std::optional<io::BodiesCsv> csv;
     std::optional<BodiesFilm> film;
     if (is_film)
-      film.emplace(bodies, detector_.options());
+      film.emplace(bodies, detector_.options(), own.at_start);
     else if (!out_.empty())
       csv.emplace(out_);
     table.print_head();
@@ -77,7 +77,7 @@ class Bodies final : public Verb {
                               [&] { contacts = first_ ? world.first_contacts(own) : world.contacts(own); });
       });
       if (csv) csv->add(step, contacts, bodies.names());
-      if (film) film->add(step, contacts);
+      if (film) film->add(step, contacts, world.statistics().ignored);
       progress.clear();
       table.add(contacts, world.statistics(), timing);
       progress.show(step);

@@ -35,7 +35,9 @@ void Contacts::write(const Detector& detector, const StepFiles& files, const std
   io::Recording recording{detector.mesh(), detector.options(), 1, {}, {files.start, files.end}, {}};
   for (const std::filesystem::path name : {start_, end_})
     recording.names.push_back(utf8_text(name.filename().string()));
+  recording.at_start = own().at_start;
   recording.steps.push_back({contacts, detector.statistics().stages});
+  recording.steps.back().ignored = detector.statistics().ignored;
   output_.write(recording);
 }
 

@@ -77,6 +77,7 @@ class View final : public MotionVerb {
     for (const std::filesystem::path& path : frames.paths())
       recording.names.push_back(utf8_text(path.filename().string()));
     recording.frames.push_back(frames.first().positions);
+    recording.at_start = own().at_start;
     Progress progress(frames.paths().size() - 1, "steps");
     for (std::size_t i = 1; i < frames.paths().size(); ++i) {
       recording.frames.push_back(frames.read(i));
@@ -86,6 +87,7 @@ class View final : public MotionVerb {
       io::scale_step(start, end, recording.scale);
       asked_of("the step to " + frames.paths()[i].string(), [&] {
         recording.steps.push_back({detector.contacts({start, end}, own()), detector.statistics().stages});
+        recording.steps.back().ignored = detector.statistics().ignored;
       });
       progress.show(i);
     }

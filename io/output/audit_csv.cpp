@@ -21,22 +21,22 @@ std::string rings_of(const audit::Finding& pair) {
 
 void write_audit_pairs_csv(const std::filesystem::path& path, const audit::Report& report) {
   const ComputingState state;
-  CsvTable table(path, "frame,kind,v0,v1,v2,v3,v4,toi_lower,toi_upper,object_a,object_b,rings");
+  CsvTable table(path, "frame,kind,v0,v1,v2,v3,v4,toi_lower,toi_upper,object_a,object_b,rings,new");
   for (const audit::Finding& pair : report.pairs)
-    table.row("{},{},{},{},{},{},{},{},{},{},{},{}\n", pair.frame, name_of(pair.kind), pair.vertices[0],
+    table.row("{},{},{},{},{},{},{},{},{},{},{},{},{:d}\n", pair.frame, name_of(pair.kind), pair.vertices[0],
               pair.vertices[1], pair.vertices[2], pair.vertices[3], pair.vertices[4], pair.toi_lower, pair.toi_upper,
-              quoted(report.object_name(pair, 0)), quoted(report.object_name(pair, 1)), rings_of(pair));
+              quoted(report.object_name(pair, 0)), quoted(report.object_name(pair, 1)), rings_of(pair), pair.is_new);
   table.commit();
 }
 
 void write_audit_frames_csv(const std::filesystem::path& path, const audit::Report& report) {
   const ComputingState state;
-  CsvTable table(path, "frame,name,usable,step,vf,ee,ve,vv,ef,neighbours,toi_lower,toi_upper");
+  CsvTable table(path, "frame,name,usable,step,vf,ee,ve,vv,ef,neighbours,toi_lower,toi_upper,new");
   for (std::size_t i = 0; i < report.frames.size(); ++i) {
     const audit::FrameAnswer& frame = report.frames[i];
-    table.row("{},{},{:d},{:d},{},{},{},{},{},{},{},{}\n", i, quoted(frame.name), frame.problem.empty(), frame.has_step,
-              frame.counts[0], frame.counts[1], frame.counts[2], frame.counts[3], frame.counts[4], frame.neighbours,
-              frame.toi_lower, frame.toi_upper);
+    table.row("{},{},{:d},{:d},{},{},{},{},{},{},{},{},{}\n", i, quoted(frame.name), frame.problem.empty(),
+              frame.has_step, frame.counts[0], frame.counts[1], frame.counts[2], frame.counts[3], frame.counts[4],
+              frame.neighbours, frame.toi_lower, frame.toi_upper, frame.fresh);
   }
   table.commit();
 }

@@ -23,8 +23,12 @@ std::shared_ptr<const audit::AuditedMesh> shown_mesh(const std::vector<FrameFind
 
 RecordedStrip strip_of(const audit::Report& report) {
   RecordedStrip strip;
+  strip.asks_intersections = report.asks_intersections;
   for (const audit::FrameAnswer& frame : report.frames) {
     strip.names.push_back(frame.name);
+    strip.problems.push_back(frame.problem);
+    strip.has_step.push_back(frame.has_step);
+    strip.fresh.push_back(frame.fresh);
     strip.contacts.push_back(frame.contacts());
     strip.intersections.push_back(frame.intersections());
     strip.steps.push_back(RecordedStrip::kNotShown);
@@ -70,13 +74,15 @@ void write_audit_page(const std::filesystem::path& path, const audit::Report& re
   options.min_separation = report.min_separation;
   Recording recording{mesh->mesh(), options, 1, {}, {}, {}};
   recording.strip = strip_of(report);
+  recording.objects = mesh->objects();
   ShownFrames frames(recording);
   for (const FrameFindings& findings : kept) {
     if (findings.frame->mesh != mesh) continue;
     recording.strip->steps[static_cast<std::size_t>(findings.number)] = static_cast<int>(recording.steps.size());
     const std::size_t start = frames.place_of(findings.before ? findings.before : findings.frame);
     const std::size_t end = frames.place_of(findings.frame);
-    recording.steps.push_back({findings.contacts, {}, {}, findings.intersections, std::array{start, end}});
+    recording.steps.push_back(
+        {findings.contacts, {}, {}, findings.intersections, std::array{start, end}, 0, findings.is_new});
   }
   write_viewer_page(path, recording);
 }

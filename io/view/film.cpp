@@ -55,6 +55,8 @@ void add_path(Recording& recording, const Path& callers, const FoundOnPath& foun
     recording.frames.push_back(positions_at(path, time));
   }
   recording.steps.resize(first + static_cast<std::size_t>(pieces));
+  for (std::size_t piece = first; piece < recording.steps.size(); ++piece)
+    recording.steps[piece].ignored = found.ignored;
   for (Contact c : found.contacts) {
     const int piece = std::min(static_cast<int>(c.toi_lower * pieces), pieces - 1);
     c.toi_lower = c.toi_lower * pieces - piece;

@@ -12,6 +12,7 @@ namespace tamis::io {
 struct FoundOnPath {
   std::span<const Contact> contacts;  ///< all of them, or those that are to be shown
   double free_before = 1;             ///< proven: no pair meets before this time
+  std::uint64_t ignored = 0;          ///< pairs that touch at the start, as Statistics::ignored
 };
 
 /// Adds so many pieces to the recording that no vertex deviates from one by more than the eye sees; but at most 64. A

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "audit/audited_mesh.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::io {
@@ -21,6 +22,10 @@ struct RecordedStep {
   std::vector<Intersection> intersections = {};
   /// The places of its start and its end among the frames; none: step i goes from frame i to frame i + 1.
   std::optional<std::array<std::size_t, 2>> ends = {};
+  /// Pairs that touch at the start and were ignored, as Statistics::ignored.
+  std::uint64_t ignored = 0;
+  /// Of an audit, for the intersections, then the contacts: whether the pair is new since the frame before.
+  std::vector<bool> is_new = {};
 };
 
 /// The intersections of a pose.
@@ -33,9 +38,13 @@ struct RecordedPose {
 struct RecordedStrip {
   static constexpr int kNotShown = -1;
 
+  bool asks_intersections = true;  ///< of the frames that could be used
   std::vector<std::string> names;
+  std::vector<std::string> problems;         ///< why the frame was not asked about; empty if it was
+  std::vector<bool> has_step;                ///< a step that ends there was asked about
   std::vector<std::uint64_t> contacts;       ///< of the step that ends there
   std::vector<std::uint64_t> intersections;  ///< of the frame
+  std::vector<std::uint64_t> fresh;          ///< of both: new since the frame before
   std::vector<int> steps;                    ///< the recording's step that ends there, or kNotShown
 };
 
@@ -50,6 +59,9 @@ struct Recording {
   std::vector<RecordedStep> steps;
   std::optional<RecordedPose> pose = {};
   std::optional<RecordedStrip> strip = {};
+  AtStart at_start = AtStart::report;  ///< as the steps were asked
+  /// None: each connected part of the mesh is an object, without a name.
+  std::optional<audit::Objects> objects = {};
 };
 
 /// The vertices at both ends of the first step, scaled as it was decided; for a pose both are the pose.

@@ -49,13 +49,18 @@ std::vector<std::uint32_t> flat_bits(std::span<const Row> rows) {
   return numbers;
 }
 
-void add_mesh(const Mesh& mesh, Columns& columns, Json& header) {
+audit::Objects objects_of(const Recording& recording) {
+  return recording.objects ? *recording.objects : audit::Objects{components_of(recording.mesh).of_vertex};
+}
+
+void add_mesh(const Recording& recording, Columns& columns, Json& header) {
+  const Mesh& mesh = recording.mesh;
   std::vector<std::uint32_t> loose;
   for (const Index v : loose_points_of(mesh)) loose.push_back(bits_of(v));
-  const Components components = components_of(mesh);
+  const audit::Objects shown = objects_of(recording);
   std::vector<std::uint32_t> objects;
-  objects.reserve(components.of_vertex.size());
-  for (const Index component : components.of_vertex) objects.push_back(bits_of(component));
+  objects.reserve(shown.of_vertex.size());
+  for (const Index object : shown.of_vertex) objects.push_back(bits_of(object));
   columns.add_integers("faces", flat_bits<Face>(mesh.faces()), 3);
   columns.add_integers("rods", flat_bits<Edge>(rods_of(mesh)), 2);
   columns.add_integers("loose_points", loose, 1);
@@ -64,7 +69,7 @@ void add_mesh(const Mesh& mesh, Columns& columns, Json& header) {
                     {"faces", mesh.faces().size()},
                     {"edges", mesh.edges().size()},
                     {"points", mesh.points().size()},
-                    {"objects", components.count}};
+                    {"names", shown.names}};
 }
 
 /// Every frame after the first as its difference from the one before.
@@ -97,6 +102,8 @@ class PairColumns {
   /// `width`: vertices of the kind that has most.
   explicit PairColumns(std::size_t width) : vertex_width_(width) {}
 
+  void mark(bool is_new) { is_new_.push_back(is_new ? 1 : 0); }
+
   void add(const Contact& c) {
     for (const Index v : c.vertices) vertices_.push_back(bits_of(v));
     for (const double w : {c.u, c.v}) weights_.push_back(fraction(w));
@@ -117,6 +124,7 @@ class PairColumns {
     columns.add_planes("toi_width", width_);
     columns.add_planes("weights", weights_);
     columns.add_planes("normals", normals_);
+    if (!is_new_.empty()) columns.add_planes("is_new", is_new_);
   }
 
  private:
@@ -133,7 +141,7 @@ class PairColumns {
   }
 
   std::size_t vertex_width_;
-  std::vector<std::uint8_t> kinds_, certainties_;
+  std::vector<std::uint8_t> kinds_, certainties_, is_new_;
   std::vector<std::uint32_t> vertices_;
   std::vector<std::uint64_t> lower_, width_;
   std::vector<std::uint16_t> weights_, normals_;
@@ -142,12 +150,20 @@ class PairColumns {
 /// The number of edge-face among the kinds of an audit: after those of contacts.
 constexpr std::uint8_t kEdgeFaceOfAudit = 4;
 
+/// The page lists a step's contacts before its intersections.
+void mark_new(const RecordedStep& step, PairColumns& pairs) {
+  const std::size_t first = step.intersections.size();
+  for (std::size_t i = first; i < step.is_new.size(); ++i) pairs.mark(step.is_new[i]);
+  for (std::size_t i = 0; i < std::min(first, step.is_new.size()); ++i) pairs.mark(step.is_new[i]);
+}
+
 void add_pairs(const Recording& recording, Columns& columns) {
   PairColumns pairs(recording.pose || recording.strip ? 5 : 4);
   for (const RecordedStep& step : recording.steps) {
     for (const Contact& c : step.contacts) pairs.add(c);
     for (const Intersection& i : step.intersections)
       pairs.add(i, face_normal(i.face, recording.frames[step.ends->at(1)]), kEdgeFaceOfAudit, 1);
+    mark_new(step, pairs);
   }
   if (recording.pose)
     for (const Intersection& i : recording.pose->intersections)
@@ -177,6 +193,8 @@ Json json_of(const RecordedStep& step) {
     json["contacts"]["ef"] = step.intersections.size();
     json["ends"] = *step.ends;
   }
+  json["complete"] = !step.free_before;
+  json["ignored"] = step.ignored;
   const bool is_free = !step.free_before && tally.is_free();
   add_bracket(json, is_free, step.free_before.value_or(tally.toi_lower), tally.toi_upper);
   add_stages(json, step.stages);
@@ -185,10 +203,24 @@ Json json_of(const RecordedStep& step) {
 
 /// The pose as a step that stands still.
 Json json_of(const RecordedPose& pose) {
-  Json json{{"contacts", {{"ef", pose.intersections.size()}, {"unresolved", 0}}}};
+  Json json{{"contacts", {{"ef", pose.intersections.size()}, {"unresolved", 0}}}, {"complete", true}, {"ignored", 0}};
   add_bracket(json, pose.intersections.empty(), 0, 0);
   add_stages(json, pose.stages);
   return json;
+}
+
+Json json_of(const RecordedStrip& strip) {
+  Json problems = Json::object();
+  for (std::size_t frame = 0; frame < strip.problems.size(); ++frame)
+    if (!strip.problems[frame].empty()) problems[std::to_string(frame)] = strip.problems[frame];
+  return {{"asks_intersections", strip.asks_intersections},
+          {"names", strip.names},
+          {"problems", std::move(problems)},
+          {"has_step", strip.has_step},
+          {"contacts", strip.contacts},
+          {"intersections", strip.intersections},
+          {"fresh", strip.fresh},
+          {"steps", strip.steps}};
 }
 
 }  // namespace
@@ -197,17 +229,14 @@ std::string scene_bytes(const Recording& recording) {
   Json header{{"names", recording.names},
               {"scale", recording.scale},
               {"min_separation", recording.options.min_separation},
+              {"at_start", name_of(recording.at_start)},
               {"kinds", kinds(recording)},
               {"steps", Json::array()}};
   for (const RecordedStep& step : recording.steps) header["steps"].push_back(json_of(step));
   if (recording.pose) header["steps"].push_back(json_of(*recording.pose));
-  if (const auto& strip = recording.strip)
-    header["strip"] = {{"names", strip->names},
-                       {"contacts", strip->contacts},
-                       {"intersections", strip->intersections},
-                       {"steps", strip->steps}};
+  if (recording.strip) header["strip"] = json_of(*recording.strip);
   Columns columns;
-  add_mesh(recording.mesh, columns, header);
+  add_mesh(recording, columns, header);
   add_frames(recording, columns, header);
   add_pairs(recording, columns);
   header["columns"] = columns.list();

@@ -48,6 +48,8 @@ void write_motion(const std::filesystem::path& to, Detector& detector, const Ste
                           {"start", "end"},
                           {points_of(step.start), points_of(step.end)},
                           {{{part.begin(), part.end()}, detector.statistics().stages}}};
+  recording.at_start = asked.at_start;
+  recording.steps.front().ignored = detector.statistics().ignored;
   if (part.size() < found.size()) recording.steps.front().free_before = free_before(found);
   io::output_for(to, io::outputs()).write(to, recording);
 }
@@ -62,7 +64,8 @@ void write_motion(const std::filesystem::path& to, Detector& detector, const Pat
     throw InvalidPath("the path has changed since these contacts were found: look at them before it does");
   const Options options = with(detector.options(), asked);
   io::Recording film{detector.mesh(), options, 1, {}, {}, {}};
-  io::add_path(film, path, {part, free_before(found)});
+  film.at_start = asked.at_start;
+  io::add_path(film, path, {part, free_before(found), detector.statistics().ignored});
   output.write(to, film);
 }
 

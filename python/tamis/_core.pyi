@@ -119,6 +119,7 @@ class AuditOptions:
         contacts: bool,
         ring_limit: int,
         listed_pairs: int,
+        page_bytes: int,
         progress: Callable[[int], object] | None,
     ) -> None: ...
 

@@ -1,10 +1,25 @@
-"""The versions of other programs that tamis.mujoco and tamis.newton support: others are refused at import."""
+"""Other packages that parts of tamis need: what is missing or of another version is refused with an advice."""
 
 from __future__ import annotations
 
+import contextlib
+from collections.abc import Iterator
 from importlib import metadata
 
 SUPPORTED = {"mujoco": "4.0.0", "newton": "1.8.0", "warp-lang": "1.19.0"}
+
+
+_MISSING = "{package} is not installed: pip install {package}"
+
+
+@contextlib.contextmanager
+def needed(package: str, what: str) -> Iterator[None]:
+    """Within this context, imports of a package's modules say what to install if it is missing."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        advice = _MISSING.format(package=package)
+        raise ModuleNotFoundError(f"{what} needs {package}. {advice}", name=error.name) from None
 
 
 def complaint(packages: list[str], what: str) -> str:

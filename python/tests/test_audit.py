@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import base64
+import json
 import pathlib
 import pickle
+import re
+import resource
 import signal
 import struct
 import threading
+import zlib
 from collections.abc import Iterator
 
 import numpy as np
@@ -213,3 +218,44 @@ def test_vertices_at_one_place_are_noted() -> None:
         "the mesh is 100 times as large"
         in tamis.audit(np.array([corners, np.array(corners) * 100]), faces=[[0, 1, 2]]).notes[1]
     )
+
+
+def test_new_pairs_are_told_from_those_of_the_frame_before() -> None:
+    """Bug: pairs that last from the first frame on bury those of an accident."""
+    report = tamis.audit(FRAMES, faces=FACES)
+    assert report.pairs.is_new.tolist() == [True, True, True, False]
+    assert report.frames.new.tolist() == [0, 0, 3, 0]
+    assert report.first_new is not None and report.first_new.frame == 2 and report.first_new.new == 3
+    permanent = tamis.audit(FRAMES[[2, 2, 2]], faces=FACES)
+    assert not permanent.is_free and permanent.first_new is None
+    auditor = tamis.Auditor(tamis.Mesh(FACES))
+    assert [auditor.add(frame).pairs.is_new.tolist() for frame in FRAMES] == [[], [], [True, True, True], [False]]
+
+
+def test_the_page_has_the_names_of_objects(tmp_path: pathlib.Path) -> None:
+    """Bug: names that `objects` gives do not reach the page, which numbers the connected parts."""
+    names = {"/World/Floor": range(3), "/World/Spike": slice(3, 6)}
+    tamis.audit(FRAMES, faces=FACES, objects=names).save(tmp_path / "named.html")
+    text = (tmp_path / "named.html").read_text()
+    data = re.search(r'id="scene">\s*([A-Za-z0-9+/=\s]+?)\s*</script', text)
+    assert data is not None
+    bytes_ = zlib.decompress(base64.b64decode(data.group(1)))
+    header = json.loads(bytes_[4 : 4 + int.from_bytes(bytes_[:4], "little")])
+    assert header["mesh"]["names"] == list(names)
+
+
+def test_frames_for_the_page_are_bounded(tmp_path: pathlib.Path) -> None:
+    """Bug: an audit that nobody looks at keeps 256 MB of frames, whereas the documents speak of rows alone."""
+    n = 100_000
+    flat = np.zeros((n, 3))
+    flat[:, 0] = np.arange(n)
+    frames = (flat + np.array([0, 0, i]) for i in range(40))  # 96 MB
+    before = _resident()
+    report = tamis.audit(frames, mesh=tamis.Mesh([[0, 1, 2]], n), page_bytes=1 << 20)
+    assert _resident() - before < 64 << 20
+    with pytest.raises(tamis.FileError, match="too large to keep"):
+        report.save(tmp_path / "page.html")
+
+
+def _resident() -> int:
+    return int(pathlib.Path("/proc/self/statm").read_text().split()[1]) * resource.getpagesize()

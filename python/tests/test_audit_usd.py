@@ -127,6 +127,15 @@ def test_what_is_not_rendered_is_left_out_unless_it_is_named(purpose: str) -> No
     assert "1 meshes" in repr(tamis.read_usd(stage, prims=["/World/Spike/Other"]))
 
 
+def test_of_a_stage_whose_meshes_are_all_invisible_that_is_said() -> None:
+    """Bug: "no mesh in it" of a stage whose mesh is hidden."""
+    stage = Usd.Stage.CreateInMemory()
+    hidden = _mesh(stage, "/World/Cloth", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [3], [0, 1, 2])
+    hidden.CreateVisibilityAttr(UsdGeom.Tokens.invisible)
+    with pytest.raises(tamis.FileError, match=r"left out, /World/Cloth \(invisible\): make it visible, or name"):
+        tamis.audit(stage)
+
+
 def test_a_sphere_is_named_as_left_out() -> None:
     stage = _stage()
     UsdGeom.Sphere.Define(stage, "/World/Ball")

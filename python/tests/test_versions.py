@@ -5,10 +5,12 @@ from __future__ import annotations
 import importlib
 import pathlib
 import sys
+from collections.abc import Callable
 from importlib import metadata
 
 import pytest
 
+import tamis
 from tamis._versions import SUPPORTED
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -52,3 +54,21 @@ def test_versions_are_those_that_are_pinned() -> None:
     for package, version in SUPPORTED.items():
         assert f"\n{package}=={version}\n" in pins
         assert f'"{package}=={version}"' in extras
+
+
+@pytest.mark.parametrize(
+    ("module", "use", "package"),
+    [
+        ("pxr", lambda: tamis.read_usd("scene.usda"), "usd-core"),
+        ("pygltflib", lambda: tamis.read_gltf("scene.glb"), "pygltflib"),
+        ("ipctk", lambda: importlib.import_module("tamis.bridge.ipctk"), "ipctk"),
+    ],
+)
+def test_a_missing_package_is_named_with_an_advice(
+    monkeypatch: pytest.MonkeyPatch, module: str, use: Callable[[], object], package: str
+) -> None:
+    """Bug: "No module named 'pxr'", which is the name of no package."""
+    _forget(monkeypatch, "tamis.bridge.ipctk")
+    monkeypatch.setitem(sys.modules, module, None)
+    with pytest.raises(ModuleNotFoundError, match=f"needs {package}. {package} is not installed: pip install"):
+        use()

@@ -48,7 +48,7 @@ Report audited(std::vector<Frame> frames, const Options& options) {
 }
 
 auto key_of(const Finding& f) {
-  return std::tuple(f.frame, f.kind, f.vertices, f.toi_lower, f.toi_upper, f.objects, f.rings);
+  return std::tuple(f.frame, f.kind, f.vertices, f.toi_lower, f.toi_upper, f.objects, f.rings, f.is_new);
 }
 
 void expect_same(const Report& a, const Report& b) {

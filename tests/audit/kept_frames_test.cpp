@@ -12,7 +12,7 @@ constexpr std::size_t kOneFrame = 2 * kVertices * sizeof(Point) + sizeof(FrameFi
 
 FrameFindings frame(std::int64_t number, bool is_bad) {
   const auto positions = std::make_shared<const Frame>(Frame{"", std::vector<Point>(kVertices), nullptr});
-  FrameFindings findings{number, positions, positions, {}, {}, {}, {}};
+  FrameFindings findings{number, positions, positions, {}, {}, {}, {}, {}};
   findings.answer.counts[0] = is_bad ? 1 : 0;
   return findings;
 }

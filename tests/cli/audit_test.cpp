@@ -96,7 +96,7 @@ TEST_F(AuditVerb, WritesTablesAndAPage) {
   EXPECT_EQ(folder_.run("audit f --out pairs.csv --out-frames frames.csv").code, 1);
   const std::string pairs = bytes_of_file(folder_.path() / "pairs.csv");
   EXPECT_TRUE(
-      pairs.starts_with("frame,kind,v0,v1,v2,v3,v4,toi_lower,toi_upper,object_a,object_b,rings\n2,ef,3,4,0,1,2,1"))
+      pairs.starts_with("frame,kind,v0,v1,v2,v3,v4,toi_lower,toi_upper,object_a,object_b,rings,new\n2,ef,3,4,0,1,2,1"))
       << pairs;
   const std::string frames = bytes_of_file(folder_.path() / "frames.csv");
   EXPECT_NE(frames.find("\n2,\"2.obj\",1,1,1,0,0,0,2,0,"), std::string::npos) << frames;
@@ -105,6 +105,21 @@ TEST_F(AuditVerb, WritesTablesAndAPage) {
   expect_refused("audit f --out page.png", "page.png");
   expect_refused("audit f --out f/0.obj", "nothing is written as .obj");
   expect_refused("audit f --out-frames x.html", "x.html");
+}
+
+// Bug: the exit code of a recording whose first frame has intersections says nothing of an accident later on.
+TEST_F(AuditVerb, PairsThatTheFrameBeforeDoesNotHaveAreNew) {
+  const auto json = folder_.run("audit f --json").json();
+  EXPECT_EQ(json["first_new"]["frame"], 2);
+  EXPECT_EQ(json["new"], 3);  // the vertex leaves through the face by which it came
+  EXPECT_TRUE(json["pairs"][0]["new"].get<bool>());
+  EXPECT_FALSE(json["pairs"][3]["new"].get<bool>());
+  EXPECT_EQ(folder_.run("audit f --new").code, 1);
+  const Outcome permanent = folder_.run("audit f/2.obj f/2.obj --new --json");
+  EXPECT_EQ(permanent.code, 0);
+  EXPECT_FALSE(permanent.json()["free"].get<bool>());
+  EXPECT_EQ(permanent.json()["first_new"], nullptr);
+  EXPECT_NE(folder_.run("audit f").out.find("new             3 in 1 frame"), std::string::npos);
 }
 
 // Bug: pairs beyond the limit are lost without a word.

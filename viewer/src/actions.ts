@@ -1,6 +1,7 @@
 // The actions of buttons and keys that do more than change one value.
 import { Box3, Vector3 } from "three";
-import { isPose, nothingFound, nounOf } from "./scene/header";
+import { isPose, nounOf } from "./scene/header";
+import { nothingFound, nothingStops, whatEnds } from "./scene/proofs";
 import type { Pair } from "./scene/pair";
 import type { Session } from "./session";
 import type { Viewpoint } from "./view3d/camera";
@@ -34,18 +35,13 @@ export class Actions {
     if (isPose(header)) return;
     const contact = this.session.view.limiting;
     if (contact < 0) {
-      this.say(`Nothing stops this step: ${nothingFound(header, this.session.view.step.header)}`);
+      this.say(`Nothing stops this step: ${nothingStops(header, this.session.view.step.header)}`);
       return;
     }
     this.session.select(contact);
     const time = this.session.scene.contacts.toiLower[contact];
     this.session.store.set({ time });
-    const free = this.session.view.step.header.toi_lower ?? 1;
-    this.say(
-      free === time
-        ? `Free before ${time}, proven. This pair ends it.`
-        : `Free before ${free}, proven. Of what is listed here this pair is the first, at ${time}.`,
-    );
+    this.say(whatEnds(header, this.session.view.step.header, time));
   }
 
   leave(): void {
@@ -128,8 +124,9 @@ export class Actions {
 
   /** A view from above and the side, as near as possible with all moving objects in it. */
   wholeStep(): Viewpoint {
-    const places = this.places();
-    const target = new Box3().setFromPoints(places).getCenter(new Vector3());
+    const frames = this.frames();
+    const shown = this.shownVertices();
+    const target = middleOf(shown, frames);
     const toEye = new Vector3(0.5, 0.42, 0.9).normalize();
     const right = new Vector3(0, 1, 0).cross(toEye).normalize();
     const up = toEye.clone().cross(right);
@@ -139,34 +136,56 @@ export class Actions {
     // Leaves space for the text above and below the scene.
     const [marginX, marginY] = [0.94, 0.74];
     let distance = 1e-3;
-    for (const place of places) {
-      const from = place.sub(target);
-      const reach = Math.max(Math.abs(from.dot(right)) / (wide * marginX), Math.abs(from.dot(up)) / (tall * marginY));
-      distance = Math.max(distance, reach + from.dot(toEye));
-    }
+    const from = new Vector3();
+    for (const at of frames)
+      for (const v of shown) {
+        from.set(at[3 * v] - target.x, at[3 * v + 1] - target.y, at[3 * v + 2] - target.z);
+        const reach = Math.max(Math.abs(from.dot(right)) / (wide * marginX), Math.abs(from.dot(up)) / (tall * marginY));
+        distance = Math.max(distance, reach + from.dot(toEye));
+      }
     return { eye: toEye.multiplyScalar(distance).add(target), target };
   }
 
-  /** Positions, in some frames, of the vertices of objects that move in this step; of all objects if none moves. */
-  private places(): Vector3[] {
+  /** The vertices of objects that move in this step; of all objects if none moves. */
+  private shownVertices(): Uint32Array {
     const { start, end } = this.session.view.step;
     const { objectOfVertex } = this.session.scene;
     const moving = new Set<number>();
-    const used: number[] = [];
-    objectOfVertex.forEach((object, v) => {
-      if (object < 0) return;
-      used.push(v);
-      if ([0, 1, 2].some((axis) => start[3 * v + axis] !== end[3 * v + axis])) moving.add(object);
-    });
-    const shown = moving.size > 0 ? used.filter((v) => moving.has(objectOfVertex[v])) : used;
-    const frames = [start, end, ...this.otherFrames(shown.length)];
-    return shown.flatMap((v) => frames.map((at) => new Vector3().fromArray(at, 3 * v)));
+    let last = -1;
+    for (let v = 0; v < objectOfVertex.length; ++v) {
+      const object = objectOfVertex[v];
+      if (object === last || object < 0) continue;
+      if (start[3 * v] === end[3 * v] && start[3 * v + 1] === end[3 * v + 1] && start[3 * v + 2] === end[3 * v + 2])
+        continue;
+      moving.add(object);
+      last = object;
+    }
+    const shown: number[] = [];
+    let isLastShown = false;
+    last = -1;
+    for (let v = 0; v < objectOfVertex.length; ++v) {
+      const object = objectOfVertex[v];
+      if (object !== last) isLastShown = object >= 0 && (moving.size === 0 || moving.has(object));
+      last = object;
+      if (isLastShown) shown.push(v);
+    }
+    return Uint32Array.from(shown);
   }
 
-  /** The starts of some steps of the sequence, evenly spaced, and few enough to take no noticeable time. */
-  private otherFrames(vertices: number): Float32Array[] {
-    const { scene } = this.session;
-    const count = Math.min(scene.stepCount - 1, 16, Math.floor(200_000 / Math.max(vertices, 1)));
-    return Array.from({ length: count }, (_, i) => scene.step(Math.floor(((i + 0.5) * scene.stepCount) / count)).start);
+  /** Start and end of the step, and the starts of some steps of the sequence, so few that they take no noticeable time. */
+  private frames(): Float32Array[] {
+    const { scene, view } = this.session;
+    const { start, end } = view.step;
+    const count = Math.min(scene.stepCount - 1, 16, Math.floor(600_000 / Math.max(start.length, 1)));
+    const others = Array.from({ length: count }, (_, i) => Math.floor(((i + 0.5) * scene.stepCount) / count));
+    return [start, end, ...others.map((step) => scene.step(step).start)];
   }
+}
+
+/** The middle of the box around vertices in some frames. */
+function middleOf(vertices: Uint32Array, frames: Float32Array[]): Vector3 {
+  const box = new Box3();
+  const point = new Vector3();
+  for (const at of frames) for (const v of vertices) box.expandByPoint(point.fromArray(at, 3 * v));
+  return box.getCenter(new Vector3());
 }

@@ -2,48 +2,73 @@
 import type { Actions } from "./actions";
 import { advance } from "./player";
 import { kFilterKeys, type Session } from "./session";
-import type { Vec3 } from "./vectors";
-import { add, times } from "./vectors";
 import { colourOfTime } from "./colours";
-import { emptySegments, segmentsBetween, type SegmentData } from "./view3d/segments";
+import { emptySegments, type SegmentData } from "./view3d/segments";
 import type { Stage } from "./view3d/stage";
 
-const linear = (time: number): number[] => [...colourOfTime(time).map((c) => Math.round(255 * (c / 255) ** 2.2)), 255];
+/** The colours of times of impact as the shader computes with them, four bytes each, in 256 steps. */
+const kColours = new Uint32Array(
+  Uint8Array.from({ length: 4 * 256 }, (_, i) => {
+    const colour = [...colourOfTime(Math.floor(i / 4) / 255), 255][i % 4];
+    return i % 4 === 3 ? 255 : Math.round(255 * (colour / 255) ** 2.2);
+  }).buffer,
+);
+
+const colourAt = (time: number): number => kColours[Math.round(255 * Math.min(Math.max(time, 0), 1))];
 
 /** Segments along the normals of the listed contacts, a fiftieth of the scene long. */
 function normalsOf({ scene, view, rows }: Session): SegmentData {
   const { contacts } = scene;
   const { start, end } = view.marks;
   const data = emptySegments(rows.length);
+  const colours = new Uint32Array(data.colour.buffer);
   rows.forEach((i, k) => {
     const place = 3 * (i - view.step.first);
     const normal = scene.direction(contacts.normal(i));
-    const tip = (at: Float32Array): Vec3 => add([at[place], at[place + 1], at[place + 2]], times(0.04, normal));
-    data.fromStart.set(start.subarray(place, place + 3), 3 * k);
-    data.fromEnd.set(end.subarray(place, place + 3), 3 * k);
-    data.toStart.set(tip(start), 3 * k);
-    data.toEnd.set(tip(end), 3 * k);
-    data.colour.set(linear(contacts.toiLower[i]), 4 * k);
+    for (let axis = 0; axis < 3; ++axis) {
+      data.fromStart[3 * k + axis] = start[place + axis];
+      data.fromEnd[3 * k + axis] = end[place + axis];
+      data.toStart[3 * k + axis] = start[place + axis] + 0.04 * normal[axis];
+      data.toEnd[3 * k + axis] = end[place + axis] + 0.04 * normal[axis];
+    }
+    colours[k] = colourAt(contacts.toiLower[i]);
   });
   return data;
 }
 
+/** The number of edges of a feature with so many vertices. */
+const edgesIn = (vertices: number): number => (vertices === 3 ? 3 : vertices - 1);
+
 /** The edges of all listed contacts' features. */
 function featuresOf({ scene, view, rows }: Session): SegmentData {
   const { contacts } = scene;
-  const pairs: number[] = [];
-  const owners: number[] = [];
-  const join = (feature: number[], owner: number): void => {
-    for (let k = 0; k < (feature.length === 3 ? 3 : feature.length - 1); ++k) {
-      pairs.push(feature[k], feature[(k + 1) % feature.length]);
-      owners.push(owner);
+  const { start, end } = view.step;
+  let count = 0;
+  for (const i of rows) count += edgesIn(contacts.kindOf(i).first) + edgesIn(contacts.kindOf(i).second);
+  const data = emptySegments(count);
+  const { fromStart, fromEnd, toStart, toEnd } = data;
+  const colours = new Uint32Array(data.colour.buffer);
+  let place = 0;
+  const join = (i: number, from: number, size: number, colour: number): void => {
+    for (let k = 0; k < edgesIn(size); ++k) {
+      const a = 3 * contacts.vertex(i, from + k);
+      const b = 3 * contacts.vertex(i, from + ((k + 1) % size));
+      for (let axis = 0; axis < 3; ++axis) {
+        fromStart[3 * place + axis] = start[a + axis];
+        fromEnd[3 * place + axis] = end[a + axis];
+        toStart[3 * place + axis] = start[b + axis];
+        toEnd[3 * place + axis] = end[b + axis];
+      }
+      colours[place++] = colour;
     }
   };
   for (const i of rows) {
-    join(contacts.firstFeature(i), i);
-    join(contacts.secondFeature(i), i);
+    const { first, second } = contacts.kindOf(i);
+    const colour = colourAt(contacts.toiLower[i]);
+    join(i, 0, first, colour);
+    join(i, first, second, colour);
   }
-  return segmentsBetween(pairs, view.step.start, view.step.end, (p) => linear(contacts.toiLower[owners[p]]));
+  return data;
 }
 
 export function draw(session: Session, stage: Stage, actions: Actions): void {

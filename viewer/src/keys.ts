@@ -2,6 +2,7 @@
 import { playPair, timeOf } from "./panels/pair_panel";
 import { togglePlay } from "./panels/timeline";
 import { isPose } from "./scene/header";
+import { hasSieve } from "./scene/proofs";
 import type { Session } from "./session";
 import type { Panel, Switch } from "./store";
 import type { Actions } from "./actions";
@@ -107,7 +108,9 @@ function pairKeys(session: Session, actions: Actions): KeyAction[] {
       keys: ["1", "2", "3"],
       does: "before, at and after the contact",
       run: (key) => {
-        if (session.pair) store.set({ time: timeOf(session.pair, moments[key as "1" | "2" | "3"]), playing: false });
+        const { pair } = session;
+        if (pair && !pair.isIntersection)
+          store.set({ time: timeOf(pair, moments[key as "1" | "2" | "3"]), playing: false });
       },
     },
     {
@@ -193,8 +196,11 @@ const kSwitches: [string, Switch, string][] = [
   ["h", "panelOpen", "hide or show the panel"],
 ];
 
-function lookKeys({ store }: Session, actions: Actions): KeyAction[] {
+const kNewOnly: [string, Switch, string] = ["w", "newOnly", "pairs alone that are new since the frame before"];
+
+function lookKeys({ store, scene }: Session, actions: Actions): KeyAction[] {
   const panels: Record<string, Panel> = { l: "contacts", b: "pair", v: "sieve" };
+  const shown = scene.header.steps.some(hasSieve) ? ["l", "b", "v"] : ["l", "b"];
   const plain: [string, string, () => void][] = [
     ["t", "dark or light", actions.theme.bind(actions)],
     ["c", "copy a link to this view", actions.copyLink.bind(actions)],
@@ -206,8 +212,9 @@ function lookKeys({ store }: Session, actions: Actions): KeyAction[] {
       },
     ],
   ];
+  const switches = scene.header.strip ? [...kSwitches, kNewOnly] : kSwitches;
   return [
-    ...kSwitches.map(([key, name, does]) => ({
+    ...switches.map(([key, name, does]) => ({
       keys: [key],
       does,
       run: () => {
@@ -215,8 +222,8 @@ function lookKeys({ store }: Session, actions: Actions): KeyAction[] {
       },
     })),
     {
-      keys: ["l", "b", "v"],
-      does: "list, pair, sieve",
+      keys: shown,
+      does: shown.length > 2 ? "list, pair, sieve" : "list, pair",
       run: (key) => {
         store.set({ panel: panels[key], panelOpen: true });
       },

@@ -22,8 +22,8 @@ import { Stage } from "./view3d/stage";
 function openStage(place: HTMLElement, scene: Scene): Stage | null {
   const canvas = el("canvas", { id: "scene-canvas", tabindex: 0, "aria-label": "The scene" });
   place.append(canvas);
-  const hasWebGl = el("canvas").getContext("webgl2") !== null;
-  if (hasWebGl) return new Stage(canvas, scene);
+  const context = el("canvas").getContext("webgl2");
+  if (context) return new Stage(canvas, scene, isSoftware(context));
   canvas.remove();
   place.append(
     el(
@@ -34,6 +34,12 @@ function openStage(place: HTMLElement, scene: Scene): Stage | null {
     ),
   );
   return null;
+}
+
+/** Whether the processor draws, as where there is no graphics card. */
+function isSoftware(context: WebGL2RenderingContext): boolean {
+  const names = context.getExtension("WEBGL_debug_renderer_info")?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER;
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(String(context.getParameter(names)));
 }
 
 function keepHash(session: Session, stage: Stage | null): void {
@@ -58,7 +64,7 @@ function keepHash(session: Session, stage: Stage | null): void {
 }
 
 function restore({ store, scene }: Session, stage: Stage | null): boolean {
-  const { state, viewpoint } = fromHash(location.hash, scene.stepCount, scene.contacts.count);
+  const { state, viewpoint } = fromHash(location.hash, scene);
   store.set(state);
   if (viewpoint && stage) stage.camera.jump(viewpoint);
   return viewpoint !== null;
@@ -142,4 +148,5 @@ async function main(): Promise<void> {
   }
 }
 
-void main();
+// The element behind this script tells a whole page from one that is cut short.
+addEventListener("DOMContentLoaded", () => void main());

@@ -5,6 +5,13 @@ export const grouped = (n: number): string => Math.round(n).toLocaleString("en-U
 /** "1 contact", "1,588 contacts". */
 export const counted = (n: number, name: string): string => `${grouped(n)} ${name}${n === 1 ? "" : "s"}`;
 
+/** A text of at most `most` characters: of a longer one the beginning and the end. */
+export function shortened(text: string, most: number): string {
+  if (text.length <= most) return text;
+  const end = Math.floor((most - 1) / 2);
+  return `${text.slice(0, most - 1 - end)}…${text.slice(text.length - end)}`;
+}
+
 /** 1.4e10 as "14 billion". */
 export function inWords(n: number): string {
   for (const [size, name] of [
@@ -14,13 +21,6 @@ export function inWords(n: number): string {
   ] as const)
     if (n >= size) return `${(n / size).toPrecision(3)} ${name}`;
   return grouped(n);
-}
-
-/** A fraction as percent, with all its leading nines and one digit more, such as 99.9992 %. */
-export function percent(part: number): string {
-  if (part <= 0 || part >= 1) return `${100 * part} %`;
-  const digits = Math.max(1, Math.ceil(-Math.log10(1 - part)) - 1);
-  return `${(Math.floor(100 * part * 10 ** digits) / 10 ** digits).toFixed(digits)} %`;
 }
 
 const kSuperscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";

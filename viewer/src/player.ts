@@ -15,7 +15,7 @@ export function advance(session: Session, seconds: number): boolean {
   if (next < loop[1]) {
     store.set({ time: Math.max(next, loop[0]) });
   } else if (selected < 0 && scene.stepCount > 1) {
-    session.showStep((step + 1) % scene.stepCount);
+    session.showStep((step + 1) % scene.stepCount, 0);
   } else {
     store.set({ time: loop[0] });
   }

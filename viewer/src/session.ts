@@ -13,6 +13,7 @@ export const kFilterKeys: Key[] = [
   "object",
   "vertex",
   "unresolvedOnly",
+  "newOnly",
   "sort",
   "descending",
 ];
@@ -45,10 +46,11 @@ export class Session {
     });
   }
 
-  showStep(step: number): void {
+  /** Shows a step at its end, where all that was found in it is seen; only playing shows it from its start. */
+  showStep(step: number, time = 1): void {
     const kept = Math.min(Math.max(step, 0), this.scene.stepCount - 1);
     if (kept !== this.store.now.step)
-      this.store.set({ step: kept, selected: -1, isolated: false, brush: [0, 1], loop: [0, 1], time: 0 });
+      this.store.set({ step: kept, selected: -1, isolated: false, brush: [0, 1], loop: [0, 1], time });
   }
 
   /** Selects a contact and shows it alone, at its time. */

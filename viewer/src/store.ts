@@ -6,7 +6,16 @@ export type Panel = "contacts" | "pair" | "sieve";
 export type SortKey = "time" | "kind" | "features" | "object";
 
 /** The parts of the state that are on or off. */
-export type Switch = "smooth" | "edges" | "marks" | "normals" | "features" | "xray" | "unresolvedOnly" | "panelOpen";
+export type Switch =
+  | "smooth"
+  | "edges"
+  | "marks"
+  | "normals"
+  | "features"
+  | "xray"
+  | "unresolvedOnly"
+  | "newOnly"
+  | "panelOpen";
 
 export interface ViewState {
   step: number;
@@ -22,9 +31,11 @@ export interface ViewState {
   brush: [number, number];
   /** The filter's kind, by its place in the header's kinds; -1: all. */
   kind: number;
-  object: number;
+  /** The filter's object: a part of its name, or its number; empty: all. */
+  object: string;
   vertex: number;
   unresolvedOnly: boolean;
+  newOnly: boolean;
   sort: SortKey;
   descending: boolean;
   panel: Panel;
@@ -49,9 +60,10 @@ export const initialState: ViewState = {
   isolated: false,
   brush: [0, 1],
   kind: -1,
-  object: -1,
+  object: "",
   vertex: -1,
   unresolvedOnly: false,
+  newOnly: false,
   sort: "time",
   descending: false,
   panel: "contacts",

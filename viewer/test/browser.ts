@@ -80,7 +80,7 @@ export async function settled(page: Page): Promise<void> {
         let last = -1;
         const look = (): void => {
           const frames = window.tamis?.stage?.cost.frames ?? 0;
-          if (frames === last) done();
+          if (frames === last && !window.tamis?.stage?.isBusy) done();
           else setTimeout(look, 60);
           last = frames;
         };

@@ -32,6 +32,14 @@ Mesh one_mesh(const MovingBodies& bodies, const std::vector<Index>& first_vertic
   return io::mesh_of(std::move(all));
 }
 
+/// Each body is an object.
+audit::Objects objects_of(const MovingBodies& bodies) {
+  audit::Objects objects{{}, bodies.names()};
+  for (std::size_t i = 0; i < bodies.count(); ++i)
+    objects.of_vertex.insert(objects.of_vertex.end(), bodies.mesh_of(i).positions.size(), static_cast<Index>(i));
+  return objects;
+}
+
 /// The motion of all bodies in the present step.
 RigidPath path_of(const MovingBodies& bodies) {
   std::vector<Point> rest, rest_end;
@@ -61,18 +69,21 @@ std::size_t vertices_of_first(PairKind kind) { return kind == PairKind::edge_edg
 
 }  // namespace
 
-BodiesFilm::BodiesFilm(const MovingBodies& bodies, const Options& options)
+BodiesFilm::BodiesFilm(const MovingBodies& bodies, const Options& options, AtStart at_start)
     : bodies_(bodies),
       first_vertices_(first_vertices_of(bodies)),
       options_(options),
       mesh_(one_mesh(bodies, first_vertices_)),
-      recording_{mesh_, options_, 1, {}, {}, {}} {}
+      recording_{mesh_, options_, 1, {}, {}, {}} {
+  recording_.at_start = at_start;
+  recording_.objects = objects_of(bodies);
+}
 
-void BodiesFilm::add(std::size_t step, const std::vector<BodyContact>& contacts) {
+void BodiesFilm::add(std::size_t step, const std::vector<BodyContact>& contacts, std::uint64_t ignored) {
   std::vector<Contact> all;
   for (const BodyContact& contact : contacts) all.push_back(in_one_mesh(contact));
   const std::string name = bodies_.step_count() == 1 ? "" : fmt::format("step {}, ", step);
-  io::add_path(recording_, path_of(bodies_), {all, tally_of(all).toi_lower}, name);
+  io::add_path(recording_, path_of(bodies_), {all, tally_of(all).toi_lower, ignored}, name);
 }
 
 Contact BodiesFilm::in_one_mesh(const BodyContact& contact) const {

@@ -12,12 +12,12 @@ namespace tamis::cli {
 class BodiesFilm {
  public:
   /// `bodies` must live as long.
-  BodiesFilm(const MovingBodies& bodies, const Options& options);
+  BodiesFilm(const MovingBodies& bodies, const Options& options, AtStart at_start);
   BodiesFilm(const BodiesFilm&) = delete;
   BodiesFilm& operator=(const BodiesFilm&) = delete;
 
-  /// Adds the present step of the bodies.
-  void add(std::size_t step, const std::vector<BodyContact>& contacts);
+  /// Adds the present step of the bodies. `ignored`: as Statistics::ignored.
+  void add(std::size_t step, const std::vector<BodyContact>& contacts, std::uint64_t ignored);
   /// Throws io::FileError.
   void write(const std::filesystem::path& to) const;
 

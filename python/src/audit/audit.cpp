@@ -25,9 +25,9 @@ struct AuditOptions {
 };
 
 void init_options(AuditOptions* place, double min_separation, int threads, bool intersections, bool contacts,
-                  Index ring_limit, std::uint64_t listed_pairs, nb::object progress) {
-  new (place)
-      AuditOptions{{min_separation, threads, intersections, contacts, ring_limit, listed_pairs}, std::move(progress)};
+                  Index ring_limit, std::uint64_t listed_pairs, std::size_t page_bytes, nb::object progress) {
+  new (place) AuditOptions{{min_separation, threads, intersections, contacts, ring_limit, listed_pairs, page_bytes},
+                           std::move(progress)};
 }
 
 struct AuditReport {
@@ -134,7 +134,7 @@ void bind_audit(nb::module_& module) {
   });
   module.def("shared_mesh", &shared_mesh);
   nb::class_<AuditOptions>(module, "AuditOptions")
-      .def("__init__", &init_options, any, any, any, any, any, any, nb::arg().none());
+      .def("__init__", &init_options, any, any, any, any, any, any, any, nb::arg().none());
   nb::class_<AuditReport>(module, "AuditReport")
       .def("as_dict", [](const AuditReport& report) { return as_dict(report.report); })
       .def("write_page", &AuditReport::write_page)

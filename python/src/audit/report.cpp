@@ -42,6 +42,7 @@ FrameRow row_of(const audit::FrameAnswer& answer, std::size_t frame) {
           answer.has_step,
           answer.counts,
           answer.neighbours,
+          answer.fresh,
           answer.toi_lower,
           answer.toi_upper};
 }
@@ -71,6 +72,7 @@ void bind_report_layouts(nb::module_& module) {
         .field("toi_upper", &audit::Finding::toi_upper)
         .field("objects", &audit::Finding::objects)
         .field("rings", &audit::Finding::rings)
+        .field("is_new", &audit::Finding::is_new)
         .dict();
   });
   module.def("frame_row_layout", [] {
@@ -80,6 +82,7 @@ void bind_report_layouts(nb::module_& module) {
         .field("has_step", &FrameRow::has_step)
         .field("counts", &FrameRow::counts)
         .field("neighbours", &FrameRow::neighbours)
+        .field("new", &FrameRow::fresh)
         .field("toi_lower", &FrameRow::toi_lower)
         .field("toi_upper", &FrameRow::toi_upper)
         .dict();

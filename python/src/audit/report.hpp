@@ -13,6 +13,7 @@ struct FrameRow {
   bool has_step;
   std::array<std::uint64_t, audit::kKinds> counts;
   std::uint64_t neighbours;
+  std::uint64_t fresh;
   double toi_lower;
   double toi_upper;
 };

@@ -37,6 +37,7 @@ def audit(
     contacts: bool = True,
     ring_limit: int = 10,
     listed_pairs: int = 1_000_000,
+    page_bytes: int = 32 << 20,
     progress: Callable[[int], object] | None = None,
 ) -> AuditReport:
     """Find the intersections in each frame of a recorded motion, and the contacts in each step between two frames.
@@ -63,7 +64,7 @@ def audit(
         Its triangles, in place of `mesh`.
     objects : array_like of int, shape (n,), or dict, optional
         As in `Auditor`.
-    min_separation, threads, intersections, contacts, ring_limit, listed_pairs
+    min_separation, threads, intersections, contacts, ring_limit, listed_pairs, page_bytes
         As in `Auditor`. The report does not depend on the number of threads.
     progress : callable, optional
         ``progress(frames)`` is called now and then with the number of frames that have been asked about.
@@ -100,6 +101,7 @@ def audit(
         contacts=contacts,
         ring_limit=ring_limit,
         listed_pairs=listed_pairs,
+        page_bytes=page_bytes,
         progress=None if progress is None else function(progress, "progress", "progress(frames)"),
     )
     known = _Known(mesh, faces, objects)

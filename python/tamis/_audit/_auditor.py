@@ -68,6 +68,9 @@ class Auditor:
         In [1, 1000]: the largest number of edges to search for the shortest path between the features of a pair.
     listed_pairs : int
         >= 0: the largest number of pairs in `AuditReport.pairs`. All pairs are counted.
+    page_bytes : int
+        >= 0: memory for frames that the page of the report shows, 32 MB by default. If they need more, the report
+        keeps those with findings, and some of the others. 0: no frame; `view` then has none to show.
 
     Raises
     ------
@@ -90,6 +93,7 @@ class Auditor:
         contacts: bool = True,
         ring_limit: int = 10,
         listed_pairs: int = 1_000_000,
+        page_bytes: int = 32 << 20,
     ) -> None:
         shared = shared_mesh(mesh, objects)
         options = make_audit_options(
@@ -99,6 +103,7 @@ class Auditor:
             contacts=contacts,
             ring_limit=ring_limit,
             listed_pairs=listed_pairs,
+            page_bytes=page_bytes,
         )
         self._mesh = mesh
         self._names = ObjectNames([(0, shared.object_names)])

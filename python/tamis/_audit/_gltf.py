@@ -16,6 +16,7 @@ from tamis._audit._joined import Part, joined
 from tamis._audit._recorded import Frame, Motion
 from tamis._checks import file_name, number
 from tamis._errors import Error, FileError, InvalidOptions
+from tamis._versions import needed
 
 # Extensions that do not change where vertices are.
 _HARMLESS = (
@@ -117,7 +118,8 @@ def _require_version_2(name: str) -> None:
 
 
 def _load(name: str) -> Any:
-    import pygltflib
+    with needed("pygltflib", "read_gltf"):
+        import pygltflib
 
     _require_version_2(name)
     try:

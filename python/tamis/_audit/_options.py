@@ -16,6 +16,7 @@ def make_audit_options(
     contacts: bool,
     ring_limit: int,
     listed_pairs: int,
+    page_bytes: int,
     progress: Callable[[int], object] | None = None,
 ) -> _core.AuditOptions:
     """Check the keywords; return the options."""
@@ -26,5 +27,6 @@ def make_audit_options(
         truth(contacts, "contacts"),
         whole(ring_limit, "ring_limit", 1),
         whole(listed_pairs, "listed_pairs"),
+        whole(page_bytes, "page_bytes"),
         progress,
     )

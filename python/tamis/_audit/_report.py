@@ -50,6 +50,12 @@ class AuditReport:
         return self.frames[int(bad[0])] if len(bad) else None
 
     @property
+    def first_new(self) -> AuditFrame | None:
+        """The first frame with a pair that the frame before does not have; None if there is none."""
+        new = self.frames.new.nonzero()[0]
+        return self.frames[int(new[0])] if len(new) else None
+
+    @property
     def steps(self) -> AuditFrames:
         """The rows of `frames` that have a step: one from the frame before was asked about."""
         return self.frames[self.frames.has_step]
@@ -87,7 +93,7 @@ class AuditReport:
         ----------
         path : path_like
             The extension decides. ``.html``: the page of `view`. ``.csv``: a table of `pairs`, with the columns frame,
-            kind, v0, ..., v4, toi_lower, toi_upper, object_a, object_b, rings.
+            kind, v0, ..., v4, toi_lower, toi_upper, object_a, object_b, rings, new.
 
         Raises
         ------
@@ -108,7 +114,7 @@ class AuditReport:
         """Show the findings on the page that `tamis audit` writes: a strip of all frames, bad ones marked.
 
         A notebook shows the page below the cell; elsewhere it opens in the browser. It has all frames if they need no
-        more than 256 MB; else the bad ones, and some of the others.
+        more than the `page_bytes` of the audit; else the bad ones, and some of the others.
 
         Parameters
         ----------

@@ -55,6 +55,8 @@ class AuditPair(NamedTuple):
     rings : int
         The number of edges on the shortest path from one feature to the other; 1 for topological neighbours. -1 if no
         path leads there. The report's `ring_limit` + 1 if the path is longer than that limit.
+    is_new : bool
+        Whether the frame before, with the step to it, has no pair of this kind and these vertices.
     """
 
     frame: int
@@ -64,6 +66,7 @@ class AuditPair(NamedTuple):
     toi_upper: float
     objects: tuple[str, str]
     rings: int
+    is_new: bool
 
 
 class ObjectNames:
@@ -102,7 +105,7 @@ class AuditPairs(Table[AuditPair]):
     """Intersections and contacts, sorted by frame; in each frame the intersections come first.
 
     `len()` counts the pairs; an integer index gives an `AuditPair`, any other index of an array gives `AuditPairs`. The
-    columns of `table` are frame, kind, vertices, toi_lower, toi_upper, objects, rings.
+    columns of `table` are frame, kind, vertices, toi_lower, toi_upper, objects, rings, is_new.
     """
 
     __slots__ = ("_names",)
@@ -123,6 +126,7 @@ class AuditPairs(Table[AuditPair]):
     )
     objects = Column[Indices]("The numbers of both features' objects, shape (n, 2).")
     rings = Column[Indices]("The number of edges from one feature to the other, as in `AuditPair`, shape (n,).")
+    is_new = Column[npt.NDArray[np.bool_]]("Whether the frame before does not have the pair, shape (n,).")
 
     def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], names: ObjectNames | None = None) -> None:
         super().__init__(table)
@@ -143,13 +147,14 @@ class AuditPairs(Table[AuditPair]):
             "object_a": names[:, 0],
             "object_b": names[:, 1],
             "rings": self.rings,
+            "new": self.is_new,
         }
 
     def _row(self, values: Any, index: int) -> AuditPair:
-        frame, kind, vertices, toi_lower, toi_upper, (a, b), rings = values
+        frame, kind, vertices, toi_lower, toi_upper, (a, b), rings, is_new = values
         used = tuple(v for v in vertices.tolist() if v >= 0)
         names = (self._names.of(frame, int(a)), self._names.of(frame, int(b)))
-        return AuditPair(frame, AuditKind(kind), used, toi_lower, toi_upper, names, rings)
+        return AuditPair(frame, AuditKind(kind), used, toi_lower, toi_upper, names, rings, bool(is_new))
 
     def _part(self, table: npt.NDArray[np.void], index: Any) -> AuditPairs:
         return AuditPairs(table, self._names)
@@ -182,6 +187,8 @@ class AuditFrame(NamedTuple):
         The number of contacts in the step.
     neighbours : int
         The number of intersections and contacts whose features are one edge apart.
+    new : int
+        The number of intersections and contacts that the frame before does not have; 0 for the first frame.
     toi_lower, toi_upper : float
         Bracket of the first contact, fractions of the step: it is free before `toi_lower`, proven. 1 if it is free.
     """
@@ -193,6 +200,7 @@ class AuditFrame(NamedTuple):
     intersections: int
     contacts: int
     neighbours: int
+    new: int
     toi_lower: float
     toi_upper: float
 
@@ -201,7 +209,7 @@ class AuditFrames(Table[AuditFrame]):
     """Frames in their order, each with the step that ends there.
 
     `len()` counts the frames; an integer index gives an `AuditFrame`, any other index of an array gives `AuditFrames`.
-    The columns of `table` are frame, is_usable, has_step, counts, neighbours, toi_lower, toi_upper.
+    The columns of `table` are frame, is_usable, has_step, counts, neighbours, new, toi_lower, toi_upper.
     """
 
     __slots__ = ("_names",)
@@ -212,6 +220,7 @@ class AuditFrames(Table[AuditFrame]):
     has_step = Column[npt.NDArray[np.bool_]]("Whether a step that ends at this frame was asked about, shape (n,).")
     counts = Column[Counts]("The number of pairs of each `AuditKind`, shape (n, 5).")
     neighbours = Column[Counts]("The number of pairs whose features are one edge apart, shape (n,).")
+    new = Column[Counts]("The number of pairs that the frame before does not have, shape (n,).")
     toi_lower = Column[Doubles]("Fraction of each step, shape (n,): it is free before, proven; 1 if it is free.")
     toi_upper = Column[Doubles]("Fraction of each step, shape (n,): until then some pair has touched; 1 if it is free.")
 
@@ -244,7 +253,7 @@ class AuditFrames(Table[AuditFrame]):
     def _columns(self) -> Columns:
         kinds = {name: self.counts[:, kind] for kind, name in enumerate(_SHORT_NAMES)}
         columns = {name: self._table[name] for name in ("is_usable", "has_step")}
-        rest = {name: self._table[name] for name in ("neighbours", "toi_lower", "toi_upper")}
+        rest = {name: self._table[name] for name in ("neighbours", "new", "toi_lower", "toi_upper")}
         return {"frame": self.frame, "name": np.array(self.names, dtype=object), **columns, **kinds, **rest}
 
     def _row(self, values: Any, index: int) -> AuditFrame:

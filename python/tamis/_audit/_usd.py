@@ -17,6 +17,7 @@ from tamis._audit._usd_skins import with_baked_skins
 from tamis._audit._usd_times import frame_times
 from tamis._checks import file_name, shown, word
 from tamis._errors import FileError, InvalidOptions
+from tamis._versions import needed
 
 if TYPE_CHECKING:
     from pxr import Usd
@@ -59,7 +60,8 @@ def read_usd(stage: str | os.PathLike[str] | Usd.Stage, *, prims: Sequence[str] 
 
 
 def _open(stage: Any) -> tuple[Any, str]:
-    from pxr import Tf, Usd
+    with needed("usd-core", "read_usd"):
+        from pxr import Tf, Usd
 
     if isinstance(stage, Usd.Stage):
         return stage, stage.GetRootLayer().GetDisplayName() or "the stage"
@@ -82,6 +84,13 @@ def _roots(stage: Any, prims: Any) -> list[Any]:
     return found
 
 
+def _why_no_mesh(left_out: list[str]) -> str:
+    if not left_out:
+        return "no mesh in it (UsdGeom.Mesh): give a stage, or prims, with meshes"
+    named, more = ", ".join(left_out[:3]), f" and {len(left_out) - 3} more" if len(left_out) > 3 else ""
+    return f"all of its geometry is left out, {named}{more}: make it visible, or name its paths in prims"
+
+
 class _Meshes:
     """The meshes below some prims of a stage, and the times of their frames."""
 
@@ -89,7 +98,7 @@ class _Meshes:
         self._stage = with_baked_skins(stage, roots)  # kept, because prims do not outlive their stage
         self.prims, left_out = shown_meshes(self._stage, [root.GetPath() for root in roots])
         if not self.prims:
-            raise FileError(f"{name}: no mesh in it (UsdGeom.Mesh): give a stage, or prims, with meshes")
+            raise FileError(f"{name}: {_why_no_mesh(left_out)}")
         self._note = f"not asked about, {len(left_out)} prims: {', '.join(left_out[:3])}" if left_out else ""
         self.times = frame_times(self._stage, self.prims)
 

@@ -12,7 +12,6 @@ from collections.abc import Callable
 from typing import Any
 from weakref import WeakKeyDictionary
 
-import ipctk
 import numpy as np
 import numpy.typing as npt
 
@@ -22,6 +21,10 @@ from tamis._errors import InvalidMesh
 from tamis._kinds import PairKind
 from tamis._mesh import Mesh
 from tamis._tables._columns import NamedPairs
+from tamis._versions import needed
+
+with needed("ipctk", "tamis.bridge.ipctk"):
+    import ipctk
 
 __all__ = ["candidates", "mesh"]
 

@@ -1,7 +1,7 @@
 // The strip of an audit's frames: bad frames stand out, and a click shows the frame at its place.
 import { button, Drawing, el, themed } from "../dom";
-import { counted } from "../numbers";
-import { holdsBad, type Strip } from "../scene/header";
+import { counted, grouped } from "../numbers";
+import { badFrames, newFrames, type Strip } from "../scene/header";
 import type { Session } from "../session";
 
 /** The number of the frame at which a step of the scene ends. */
@@ -17,9 +17,23 @@ function nearestShown(strip: Strip, frame: number): number {
 }
 
 function describe(strip: Strip, frame: number): string {
-  const found = [counted(strip.intersections[frame], "intersection"), counted(strip.contacts[frame], "contact")];
+  const named = `frame ${frame}, ${strip.names[frame]}: `;
+  const problem = strip.problems[frame];
+  if (problem !== undefined) return `${named}not asked about: ${problem}`;
+  const found: string[] = [];
+  if (strip.asks_intersections) found.push(counted(strip.intersections[frame], "intersection"));
+  if (strip.has_step[frame]) found.push(counted(strip.contacts[frame], "contact"));
+  if (strip.fresh[frame] > 0) found.push(`${grouped(strip.fresh[frame])} of them new since the frame before`);
   const absent = strip.steps[frame] < 0 ? "; its shape is not in this page" : "";
-  return `frame ${frame}, ${strip.names[frame]}: ${found.join(", ")}${absent}`;
+  return named + (found.join(", ") || "nothing was asked about it") + absent;
+}
+
+/** The colour of a frame's line: what was asked about and is free, what was not asked about, and the rest. */
+function lineOf(strip: Strip, frame: number): string {
+  if (strip.problems[frame] !== undefined) return "--first";
+  const isAsked = strip.asks_intersections || strip.has_step[frame];
+  if (isAsked && strip.contacts[frame] + strip.intersections[frame] === 0) return "--free";
+  return "--line";
 }
 
 /** Draws bars from the middle: for each frame its intersections upward, the contacts of the step to it downward. */
@@ -28,6 +42,7 @@ function drawBars(context: CanvasRenderingContext2D, strip: Strip, width: number
   const middle = Math.round(height / 2);
   const bars = (counts: number[], colour: string, upward: boolean): void => {
     const most = counts.reduce((a, b) => Math.max(a, b), 1);
+    context.globalAlpha = 1;
     context.fillStyle = colour;
     counts.forEach((count, i) => {
       if (count === 0) return;
@@ -35,19 +50,28 @@ function drawBars(context: CanvasRenderingContext2D, strip: Strip, width: number
       context.fillRect(i * wide, upward ? middle - 1 - high : middle + 2, Math.max(wide - 1, 1.5), high);
     });
   };
+  const colours = Object.fromEntries(["--free", "--line", "--first"].map((name) => [name, themed(name)]));
   strip.steps.forEach((step, i) => {
-    context.fillStyle = step < 0 ? themed("--line") : themed("--free");
+    context.fillStyle = colours[lineOf(strip, i)];
+    context.globalAlpha = step < 0 ? 0.45 : 1;
     context.fillRect(i * wide, middle - 1, Math.max(wide - 1, 1), 3);
   });
   bars(strip.intersections, themed("--second"), true);
   bars(strip.contacts, themed("--accent"), false);
+  // Frames with new pairs are marked at the lower edge.
+  context.fillStyle = themed("--ink");
+  strip.fresh.forEach((count, i) => {
+    if (count > 0) context.fillRect(i * wide, height - 3, Math.max(wide - 1, 2), 3);
+  });
 }
 
-/** Shows the next bad frame that the scene holds; after the last one the first. */
-function showNextBad(session: Session, strip: Strip): void {
-  const now = frameOf(strip, session.store.now.step);
-  const all = strip.steps.map((_, i) => i).filter((i) => holdsBad(strip, i));
-  if (all.length > 0) session.showStep(strip.steps[all.find((i) => i > now) ?? all[0]]);
+/** A button that shows the next of some frames; after the last one the first. */
+function nextButton(session: Session, strip: Strip, frames: number[], label: string, title: string): HTMLElement {
+  const show = (): void => {
+    const now = frameOf(strip, session.store.now.step);
+    session.showStep(strip.steps[frames.find((frame) => frame > now) ?? frames[0]]);
+  };
+  return button(label, title, show, { class: "next-bad", id: `next-${label}`, disabled: frames.length === 0 });
 }
 
 export function auditStrip(session: Session, strip: Strip): HTMLElement[] {
@@ -68,7 +92,6 @@ export function auditStrip(session: Session, strip: Strip): HTMLElement[] {
   };
   drawing.canvas.addEventListener("click", (event) => {
     session.showStep(strip.steps[nearestShown(strip, frameAt(event))]);
-    store.set({ time: 1 });
   });
   drawing.canvas.addEventListener("pointermove", (event) => {
     drawing.canvas.title = describe(strip, frameAt(event));
@@ -80,15 +103,11 @@ export function auditStrip(session: Session, strip: Strip): HTMLElement[] {
     readout.title = describe(strip, frame);
     drawing.refresh();
   });
-  const next = button(
-    "next",
-    "Next bad frame",
-    () => {
-      showNextBad(session, strip);
-      store.set({ time: 1 });
-    },
-    { class: "next-bad", id: "next-bad" },
+  const buttons = el(
+    "div",
+    { class: "next-frames" },
+    nextButton(session, strip, badFrames(strip), "bad", "Next frame with an intersection or a contact"),
+    nextButton(session, strip, newFrames(strip), "new", "Next frame with a pair that the frame before does not have"),
   );
-  next.disabled = !strip.steps.some((_, i) => holdsBad(strip, i));
-  return [next, el("div", { class: "lane" }, drawing.canvas), readout];
+  return [buttons, el("div", { class: "lane" }, drawing.canvas), readout];
 }

@@ -3,11 +3,13 @@ import { colourOfTime, css } from "../colours";
 import { el } from "../dom";
 import { objectsOf } from "../scene/filter";
 import { counted, grouped } from "../numbers";
-import { nothingFound, nounOf } from "../scene/header";
+import { nounOf } from "../scene/header";
+import { nothingFound } from "../scene/proofs";
 import { kFilterKeys, type Session } from "../session";
 import type { SortKey } from "../store";
 
 const kRowHeight = 30;
+const kTallRowHeight = 46;
 /** In pixels, as browsers stop at some 30 million. In higher lists the scroll bar moves by several rows at a time. */
 const kTallest = 8_000_000;
 
@@ -30,9 +32,16 @@ export class ContactList {
   private readonly spacer = el("div", { class: "spacer" });
   private readonly window = el("div", { class: "window" });
   private readonly summary = el("p", { class: "summary", id: "listed" });
+  /** In pixels. */
+  private readonly rowHeight: number;
 
   constructor(private readonly session: Session) {
     const { store } = session;
+    // Long numbers and names take a second line, on which they are seen in full.
+    const { objects, header } = session.scene;
+    const isTall = objects.areNamed || objects.numbers.length > 99 || header.mesh.vertices > 9999;
+    this.rowHeight = isTall ? kTallRowHeight : kRowHeight;
+    this.element.dataset.tall = String(isTall);
     this.spacer.append(this.window);
     this.scroller.append(this.spacer);
     this.element.append(filters(session), this.summary, this.head(), this.scroller);
@@ -72,7 +81,7 @@ export class ContactList {
     const { rows, view, scene } = this.session;
     const { count } = view.step;
     const noun = nounOf(scene.header);
-    const height = Math.min(rows.length * kRowHeight, kTallest);
+    const height = Math.min(rows.length * this.rowHeight, kTallest);
     this.spacer.style.height = `${height}px`;
     this.summary.textContent =
       count === 0
@@ -89,14 +98,14 @@ export class ContactList {
   private get top(): number {
     const { rows } = this.session;
     const range = this.spacer.clientHeight - this.scroller.clientHeight;
-    const most = rows.length - this.scroller.clientHeight / kRowHeight;
+    const most = rows.length - this.scroller.clientHeight / this.rowHeight;
     return range > 0 ? Math.max((this.scroller.scrollTop / range) * most, 0) : 0;
   }
 
   private reveal(): void {
     const { rows, store } = this.session;
     const place = rows.indexOf(store.now.selected);
-    const seen = this.scroller.clientHeight / kRowHeight;
+    const seen = this.scroller.clientHeight / this.rowHeight;
     if (place < 0 || (place >= this.top && place <= this.top + seen - 1)) return;
     const range = this.spacer.clientHeight - this.scroller.clientHeight;
     this.scroller.scrollTop = (range * Math.max(place - seen / 2, 0)) / Math.max(rows.length - seen, 1);
@@ -105,8 +114,8 @@ export class ContactList {
   private drawRows(): void {
     const { rows } = this.session;
     const first = Math.floor(this.top);
-    const shown = Math.ceil(this.scroller.clientHeight / kRowHeight) + 1;
-    this.window.style.transform = `translateY(${this.scroller.scrollTop - (this.top - first) * kRowHeight}px)`;
+    const shown = Math.ceil(this.scroller.clientHeight / this.rowHeight) + 1;
+    this.window.style.transform = `translateY(${this.scroller.scrollTop - (this.top - first) * this.rowHeight}px)`;
     const elements: HTMLElement[] = [];
     for (let r = first; r < Math.min(first + shown, rows.length); ++r) elements.push(this.row(rows[r]));
     this.window.replaceChildren(...elements);
@@ -118,7 +127,8 @@ export class ContactList {
     const time = contacts.toiLower[contact];
     const swatch = el("i", { class: "swatch" });
     swatch.style.background = css(colourOfTime(time));
-    const [a, b] = objectsOf(contact, scene.objectOfVertex, contacts);
+    const both = objectsOf(contact, scene.objectOfVertex, contacts);
+    const names = [...new Set(both)].map((object) => scene.objects.nameOf(object));
     const row = el(
       "div",
       {
@@ -130,9 +140,14 @@ export class ContactList {
       el("span", {}, swatch, time.toFixed(5)),
       el("span", {}, contacts.kindOf(contact).name + (contacts.isUnresolved(contact) ? " ?" : "")),
       el("span", {}, `${contacts.firstFeature(contact).join(" ")} · ${contacts.secondFeature(contact).join(" ")}`),
-      el("span", {}, a === b ? `${a}` : `${a} · ${b}`),
+      el("span", { class: "objects" }, ...names.flatMap((name, i) => [...(i > 0 ? [" · "] : []), el("bdi", {}, name)])),
     );
-    if (contacts.isUnresolved(contact)) row.title = "Unresolved: doubles cannot decide whether the pair touches";
+    row.title = names.join(" · ");
+    if (contacts.isUnresolved(contact)) row.title += "; unresolved: doubles cannot decide whether the pair touches";
+    if (contacts.isNew(contact)) {
+      row.dataset.new = "true";
+      row.title += "; new since the frame before";
+    }
     row.addEventListener("click", () => {
       this.session.select(contact);
     });
@@ -149,31 +164,60 @@ function filters(session: Session): HTMLElement {
   kind.addEventListener("change", () => {
     store.set({ kind: Number(kind.value) });
   });
-  const number = (id: string, label: string, key: "vertex" | "object", most: number): HTMLInputElement => {
-    const input = el("input", { type: "number", id, min: 0, max: most, placeholder: label, "aria-label": label });
-    input.addEventListener("input", () => {
-      store.set({ [key]: input.value === "" ? -1 : Number(input.value) });
-    });
-    store.follow([key], () => {
-      if (Number(input.value || -1) !== store.now[key]) input.value = store.now[key] < 0 ? "" : String(store.now[key]);
-    });
-    return input;
-  };
-  const { vertices, objects } = scene.header.mesh;
-  const unresolved = el("input", { type: "checkbox", id: "unresolved" });
-  unresolved.addEventListener("change", () => {
-    store.set({ unresolvedOnly: unresolved.checked });
-  });
-  store.follow(["kind", "unresolvedOnly"], () => {
+  store.follow(["kind"], () => {
     kind.value = String(store.now.kind);
-    unresolved.checked = store.now.unresolvedOnly;
   });
   const hasUnresolved = scene.header.steps.some((step) => step.contacts.unresolved > 0);
-  const label = el("label", {}, unresolved, "unresolved");
-  label.hidden = !hasUnresolved;
-  const object = number("object", "object", "object", objects - 1);
-  object.hidden = objects < 2;
-  return el("div", { class: "filters" }, kind, number("vertex", "vertex", "vertex", vertices - 1), object, label);
+  const hasNew = scene.header.strip?.fresh.some((count) => count > 0) ?? false;
+  return el(
+    "div",
+    { class: "filters" },
+    kind,
+    vertexFilter(session),
+    objectFilter(session),
+    checkbox(session, "unresolvedOnly", "unresolved", hasUnresolved),
+    checkbox(session, "newOnly", "new", hasNew),
+  );
+}
+
+function vertexFilter({ store, scene }: Session): HTMLElement {
+  const label = "vertex";
+  const most = scene.header.mesh.vertices - 1;
+  const input = el("input", { type: "number", id: label, min: 0, max: most, placeholder: label, "aria-label": label });
+  input.addEventListener("input", () => {
+    store.set({ vertex: input.value === "" ? -1 : Number(input.value) });
+  });
+  store.follow(["vertex"], () => {
+    const { vertex } = store.now;
+    if (Number(input.value || -1) !== vertex) input.value = vertex < 0 ? "" : String(vertex);
+  });
+  return input;
+}
+
+function objectFilter({ store, scene }: Session): HTMLElement {
+  const label = scene.objects.areNamed ? "object's name" : "object";
+  const input = el("input", { type: "search", id: "object", placeholder: "object", "aria-label": label });
+  input.addEventListener("input", () => {
+    store.set({ object: input.value });
+  });
+  store.follow(["object"], () => {
+    if (input.value !== store.now.object) input.value = store.now.object;
+  });
+  input.hidden = scene.objects.numbers.length < 2;
+  return input;
+}
+
+function checkbox({ store }: Session, key: "unresolvedOnly" | "newOnly", name: string, isShown: boolean): HTMLElement {
+  const input = el("input", { type: "checkbox", id: name });
+  input.addEventListener("change", () => {
+    store.set({ [key]: input.checked });
+  });
+  store.follow([key], () => {
+    input.checked = store.now[key];
+  });
+  const label = el("label", {}, input, name);
+  label.hidden = !isShown;
+  return label;
 }
 
 export const kKindNames: Record<string, string> = {

@@ -3,6 +3,7 @@ import { colourOfTime, css } from "../colours";
 import { Drawing, el, themed } from "../dom";
 import { scientific } from "../numbers";
 import type { Pair } from "../scene/pair";
+import { bracketWords } from "../scene/proofs";
 import type { Session } from "../session";
 
 const kSamples = 160;
@@ -18,7 +19,7 @@ export class GapPlot {
       if (session.pair) this.drawPlot(session.pair, context, w, h);
     });
     this.bracket = new Drawing({ class: "bracket", role: "img", "aria-label": "Bracket" }, (context, w, h) => {
-      if (session.pair) drawBracket(session.pair, context, w, h);
+      if (session.pair) drawBracket(session, session.pair, context, w, h);
     });
     this.plot.canvas.addEventListener("click", (event) => {
       const { left, width } = this.plot.canvas.getBoundingClientRect();
@@ -72,7 +73,13 @@ export class GapPlot {
 }
 
 /** Draws the bracket over two fifths of the width, the time before and after it over the rest. */
-function drawBracket(pair: Pair, context: CanvasRenderingContext2D, width: number, height: number): void {
+function drawBracket(
+  { scene }: Session,
+  pair: Pair,
+  context: CanvasRenderingContext2D,
+  width: number,
+  height: number,
+): void {
   const [low, high] = [0.3 * width, 0.7 * width];
   const top = 16;
   const middle = pair.toi * width;
@@ -91,8 +98,9 @@ function drawBracket(pair: Pair, context: CanvasRenderingContext2D, width: numbe
   context.textAlign = "center";
   const y = top + (height - top) / 2;
   context.fillStyle = themed("--ink");
-  context.fillText("free, proven", low / 2, y);
-  context.fillText("after", (high + width) / 2, y);
+  const [before, within, after] = bracketWords(scene.header, scene.contacts, pair.index);
+  context.fillText(before, low / 2, y);
+  context.fillText(after, (high + width) / 2, y);
   context.fillStyle = pair.toi > 0.55 ? "#fff" : "#111";
-  context.fillText("touches in here", (low + high) / 2, y);
+  context.fillText(within, (low + high) / 2, y);
 }

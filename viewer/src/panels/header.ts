@@ -1,11 +1,15 @@
 // The header: what the page shows, what was found, and buttons for the two most frequent questions.
 import { button, el } from "../dom";
-import { counted, grouped, roundedDown } from "../numbers";
+import { counted, grouped, shortened } from "../numbers";
 import type { Actions } from "../actions";
 import type { Session } from "../session";
 import type { Switch } from "../store";
-import { isPose, namesOf, nothingFound, nounOf } from "../scene/header";
+import { isPose, namesOf, nounOf } from "../scene/header";
+import { freeBefore, hasSieve, hasStep, kIntersections, nothingFound } from "../scene/proofs";
 import { contactsOf } from "../scene/scene";
+
+/** In characters. The full name is shown when the pointer rests on it. */
+const kLongestName = 44;
 
 export function header(session: Session, actions: Actions): HTMLElement {
   const { store, scene } = session;
@@ -13,7 +17,9 @@ export function header(session: Session, actions: Actions): HTMLElement {
   const answer = el("p", { class: "answer", id: "answer" });
   store.follow(["step"], () => {
     const { step } = store.now;
-    names.textContent = namesOf(scene.header, step).join(" → ");
+    const all = namesOf(scene.header, step);
+    names.textContent = all.map((name) => shortened(name, kLongestName)).join(" → ");
+    names.title = all.join(" → ");
     answer.replaceChildren(...sentence(session));
   });
   const noun = nounOf(scene.header);
@@ -48,26 +54,26 @@ export function header(session: Session, actions: Actions): HTMLElement {
 }
 
 function sentence({ view, scene, store }: Session): (Node | string)[] {
-  const { contacts, toi_lower: lower } = view.step.header;
+  const { contacts } = view.step.header;
   const noun = nounOf(scene.header);
   const { faces } = scene.header.mesh;
   const mesh = `${faces > 0 ? counted(faces, "triangle") : counted(scene.header.mesh.edges, "edge")}, `;
   const count = contactsOf(scene.header.steps[store.now.step]);
   if (count === 0) return [mesh, el("b", {}, `no ${noun}`), `: ${nothingFound(scene.header, view.step.header)}`];
   if (scene.header.strip) {
-    const touching = counted(count - contacts.ef, "contact");
-    const free = lower === null ? "" : `, free before ${roundedDown(lower, 6)} of the step`;
-    return [
-      mesh,
-      el("b", { id: "count", "data-count": count }, `${counted(contacts.ef, "intersection")}, ${touching}`),
-      `${free}.`,
-    ];
+    const found = scene.header.strip.asks_intersections ? [counted(contacts.ef, "intersection")] : [];
+    if (hasStep(view.step.header)) found.push(counted(count - contacts.ef, "contact"));
+    const { fresh, steps } = scene.header.strip;
+    const isNew = fresh[steps.indexOf(store.now.step)];
+    const total = el("b", { id: "count", "data-count": count }, found.join(", "));
+    const free = view.step.header.toi_lower === null ? "." : `. ${freeBefore(scene.header, view.step.header).join("")}`;
+    return [mesh, total, isNew > 0 ? `, ${grouped(isNew)} new since the frame before` : ", none of them new", free];
   }
   const found = el("b", { id: "count", "data-count": count }, counted(count, noun));
-  if (isPose(scene.header))
-    return [mesh, found, ": edges that pass through triangles, or touch them; decided exactly."];
+  if (isPose(scene.header)) return [mesh, found, kIntersections];
   const unresolved = contacts.unresolved > 0 ? `, ${grouped(contacts.unresolved)} of them unresolved` : "";
-  return [mesh, found, `${unresolved}. Free before `, el("b", {}, roundedDown(lower ?? 1, 6)), " of the step, proven."];
+  const [before, time, after] = freeBefore(scene.header, view.step.header);
+  return [mesh, found, `${unresolved}. ${before}`, el("b", {}, time), after];
 }
 
 /** Switches for the drawing, theme and help. */
@@ -128,10 +134,9 @@ export function tools(session: Session, actions: Actions): HTMLElement {
 
 export function tabs(session: Session): HTMLElement {
   const { store } = session;
-  // Audits do not keep the counts of stages for every frame.
-  const panels = session.scene.header.strip
-    ? (["contacts", "pair"] as const)
-    : (["contacts", "pair", "sieve"] as const);
+  const panels = session.scene.header.steps.some(hasSieve)
+    ? (["contacts", "pair", "sieve"] as const)
+    : (["contacts", "pair"] as const);
   const items = panels.map((panel) => {
     const label = panel === "contacts" ? `${nounOf(session.scene.header)}s` : panel;
     const element = button(

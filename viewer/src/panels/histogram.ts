@@ -1,6 +1,7 @@
 // The histogram of times of impact: bars in the colours of time, and a brush over them.
 import { colourOfTime, css } from "../colours";
 import { Drawing, themed } from "../dom";
+import { isIntersection } from "../scene/proofs";
 import type { Session } from "../session";
 
 const kBins = 120;
@@ -34,8 +35,11 @@ export class Histogram {
 
   private count(): void {
     this.counts = new Array<number>(kBins).fill(0);
-    const { toiLower } = this.session.scene.contacts;
-    for (const i of this.session.view.byTime) ++this.counts[Math.min(Math.floor(toiLower[i] * kBins), kBins - 1)];
+    const { contacts } = this.session.scene;
+    const { toiLower } = contacts;
+    // Intersections are of the frame, and have no time in the step.
+    for (const i of this.session.view.byTime)
+      if (!isIntersection(contacts, i)) ++this.counts[Math.min(Math.floor(toiLower[i] * kBins), kBins - 1)];
   }
 
   private timeAt(event: PointerEvent): number {

@@ -1,8 +1,10 @@
 // The panel of the selected pair: its features, its time of impact, and its motion before, at and after that.
 import { button, el } from "../dom";
 import { scientific } from "../numbers";
+import { objectsOf } from "../scene/filter";
 import type { Pair } from "../scene/pair";
 import { isPose, nounOf } from "../scene/header";
+import { verdictOf } from "../scene/proofs";
 import type { Session } from "../session";
 import { kKindNames } from "./contact_list";
 import { GapPlot } from "./gap_plot";
@@ -21,6 +23,9 @@ export class PairPanel {
   private readonly facts = el("dl");
   private readonly sketches = kMoments.map((moment) => new PairSketch(moment));
   private readonly shown = el("div", { class: "shown" });
+  /** Of a contact, with its motion through the step; and of an intersection, which has none. */
+  private readonly ofContact: HTMLElement[];
+  private readonly ofIntersection = new PairSketch("The edge and the face");
   private readonly none = el("p", { class: "summary" });
 
   constructor(private readonly session: Session) {
@@ -36,17 +41,17 @@ export class PairPanel {
       });
       return figure;
     });
+    const play = button("Play the pair", "Go round from before to after (O)", () => {
+      playPair(session);
+    });
+    const moments = el("div", { class: "moments" }, ...sketches);
+    const gap = new GapPlot(session).element;
+    this.ofContact = [moments, gap, play];
+    this.ofIntersection.canvas.classList.add("large");
     const actions = el(
       "div",
       { class: "actions" },
-      button(
-        "Play the pair",
-        "Go round from before to after (O)",
-        () => {
-          playPair(session);
-        },
-        { class: "of-time" },
-      ),
+      play,
       button("Alone / in the scene", "Show the pair alone (I)", () => {
         store.set({ isolated: !store.now.isolated });
       }),
@@ -54,14 +59,7 @@ export class PairPanel {
         session.deselect();
       }),
     );
-    this.shown.append(
-      this.title,
-      this.verdict,
-      el("div", { class: "moments" }, ...sketches),
-      new GapPlot(session).element,
-      actions,
-      this.facts,
-    );
+    this.shown.append(this.title, this.verdict, moments, this.ofIntersection.canvas, gap, actions, this.facts);
     this.element.append(this.none, this.shown);
     store.follow(["step", "selected", "theme", "panel"], () => {
       this.refresh();
@@ -77,8 +75,13 @@ export class PairPanel {
     });
     if (!pair) return;
     const { contacts } = scene;
+    for (const element of this.ofContact) element.hidden = pair.isIntersection;
+    this.ofIntersection.canvas.hidden = !pair.isIntersection;
+    this.ofIntersection.show(pair.isIntersection ? pair : null, pair.toi);
     const { name } = contacts.kindOf(pair.index);
-    const unresolved = contacts.isUnresolved(pair.index);
+    const both = objectsOf(pair.index, scene.objectOfVertex, contacts);
+    const objects: Record<string, string> =
+      scene.objects.numbers.length > 1 ? { objects: both.map((o) => scene.objects.nameOf(o)).join(", ") } : {};
     const weights = contacts.storedWeights(pair.index).map((w) => w.toFixed(4));
     const normal = contacts
       .normal(pair.index)
@@ -89,20 +92,21 @@ export class PairPanel {
       " meets ",
       el("b", { class: "second" }, nameOf(pair.second)),
     );
-    if (name === "ef") {
-      this.verdict.textContent = "They share a point, though no vertex: decided exactly.";
+    const isNew: Record<string, string> = contacts.isNew(pair.index) ? { since: "new since the frame before" } : {};
+    this.verdict.textContent = verdictOf(scene.header, contacts, pair.index);
+    this.verdict.dataset.unresolved = String(contacts.isUnresolved(pair.index));
+    if (pair.isIntersection) {
       const [along, u, v] = weights;
-      this.fill({ kind: kKindNames[name], "along the edge": along, "weights u, v": `${u}, ${v}`, normal });
+      const place = { "along the edge": along, "weights u, v": `${u}, ${v}` };
+      this.fill({ kind: kKindNames[name], ...objects, ...isNew, ...place, normal });
       return;
     }
-    this.verdict.textContent = unresolved
-      ? "Unresolved: doubles cannot decide whether it touches, so it is reported. Nothing touches before, proven."
-      : "Certified: it touches within the bracket, and not before.";
-    this.verdict.dataset.unresolved = String(unresolved);
     this.fill({
       kind: kKindNames[name] ?? name,
-      "free before": String(pair.toiLower),
-      "touches by": String(pair.toiUpper),
+      ...objects,
+      ...isNew,
+      "not before": String(pair.toiLower),
+      [contacts.isUnresolved(pair.index) ? "may touch by" : "touches by"]: String(pair.toiUpper),
       "bracket's width": scientific(pair.toiUpper - pair.toiLower),
       "weights u, v": weights.join(", "),
       normal,
@@ -121,5 +125,5 @@ function nameOf(feature: number[]): string {
 }
 
 export function playPair({ pair, store }: Session): void {
-  if (pair) store.set({ loop: [pair.before, pair.after], time: pair.before, playing: true });
+  if (pair && !pair.isIntersection) store.set({ loop: [pair.before, pair.after], time: pair.before, playing: true });
 }

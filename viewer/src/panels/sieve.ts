@@ -1,10 +1,11 @@
 // The sieve: the number of pairs that enter each stage, from all pairs of the mesh to those that touch.
 import { el } from "../dom";
-import { grouped, inWords, percent } from "../numbers";
+import { grouped, inWords } from "../numbers";
 import type { Session } from "../session";
 import { SievePicture, stageColour } from "./sieve_picture";
 import type { Scene } from "../scene/scene";
-import { isPose, nounOf, withoutContacts, type SceneHeader, type Stage, type StepHeader } from "../scene/header";
+import { isPose, nounOf, type SceneHeader, type Stage } from "../scene/header";
+import { shareOf } from "../scene/proofs";
 
 /** For the pairs that enter a stage, what they do there. */
 const kStages: Record<string, string> = {
@@ -34,7 +35,7 @@ function allPairs({ header, rods, loosePoints }: Scene): Stage {
 
 function rowsOf(scene: Scene, step: number): Row[] {
   const { header } = scene;
-  const { stages, contacts } = header.steps[step];
+  const { stages, contacts, complete } = header.steps[step];
   const row = (stage: Stage, explained: string): Row => {
     const { vf, ee, ve, vv } = stage;
     return { ...stage, explained, total: vf + ee + ve + vv };
@@ -44,7 +45,7 @@ function rowsOf(scene: Scene, step: number): Row[] {
   return [
     row(allPairs(scene), "pairs of features in the mesh"),
     ...stages.map((stage) => row(stage, kStages[stage.name] ?? `go into ${stage.name}`)),
-    row({ name, vf, ee, ve, vv }, `touch: ${name}`),
+    row({ name, vf, ee, ve, vv }, complete ? `touch: ${name}` : `touch and are listed here: ${name}`),
   ];
 }
 
@@ -53,13 +54,6 @@ function byKind({ vf, ee, ve, vv }: Row, header: SceneHeader): string {
   if (isPose(header)) return `${grouped(vf)} edge-face`;
   const loose = ve + vv > 0 ? `, ${grouped(ve)} vertex-edge, ${grouped(vv)} vertex-vertex` : "";
   return `${grouped(vf)} vertex-face, ${grouped(ee)} edge-edge${loose}`;
-}
-
-/** How much of all pairs does not touch. Pairs that no question was asked about are among them. */
-function shareOf(all: number, left: number, step: StepHeader): string {
-  if (left === 0 && step.toi_lower !== null) return withoutContacts(step);
-  const share = percent(all > 0 ? (all - left) / all : 1);
-  return `${share} of all pairs are proven free, or not asked about: neighbours, and what was left out. Areas are true to scale.`;
 }
 
 export class Sieve {
@@ -94,7 +88,7 @@ export class Sieve {
     const all = rows[0].total;
     const left = rows[rows.length - 1].total;
     this.title.textContent = `${inWords(all)} pairs, ${inWords(left)} ${nounOf(scene.header)}${left === 1 ? "" : "s"}`;
-    this.share.textContent = shareOf(all, left, scene.header.steps[store.now.step]);
+    this.share.textContent = shareOf(scene.header.steps[store.now.step], all, left);
     this.picture.show(rows.map((row) => row.total));
     this.list.replaceChildren(
       ...rows.map((row, i) => {

@@ -1,7 +1,8 @@
 // The dock below the scene: play, the slider of time under the histogram, and the frames of a sequence.
 import { button, Drawing, el, themed } from "../dom";
+import { kStepsTitle } from "../scene/proofs";
 import { contactsOf } from "../scene/scene";
-import { grouped, timeText } from "../numbers";
+import { counted, timeText } from "../numbers";
 import type { Session } from "../session";
 import { auditStrip } from "./audit_strip";
 import { Histogram } from "./histogram";
@@ -46,7 +47,7 @@ export class Timeline {
     const { time, playing } = this.session.store.now;
     this.slider.value = String(time);
     this.play.textContent = playing ? "❚❚" : "▶";
-    this.play.setAttribute("aria-pressed", String(playing));
+    this.play.setAttribute("aria-label", playing ? "Pause" : "Play");
     this.readout.textContent = `t = ${timeText(time)}`;
   }
 }
@@ -78,7 +79,7 @@ function sequence(session: Session): HTMLElement[] {
     context.strokeStyle = themed("--ink");
     context.strokeRect(store.now.step * wide + 0.5, 0.5, wide - 1, height - 1);
   });
-  drawing.canvas.title = "Contacts of each step; below, how much of it is free";
+  drawing.canvas.title = kStepsTitle;
   drawing.canvas.addEventListener("click", (event) => {
     const { left, width } = drawing.canvas.getBoundingClientRect();
     session.showStep(Math.floor(((event.clientX - left) / width) * steps.length));
@@ -99,7 +100,7 @@ function sequence(session: Session): HTMLElement[] {
     const { step } = store.now;
     slider.value = String(step);
     readout.textContent = `step ${step + 1} / ${steps.length}`;
-    readout.title = `${names[step]} → ${names[step + 1]}, ${grouped(contactsOf(steps[step]))} contacts`;
+    readout.title = `${names[step]} → ${names[step + 1]}, ${counted(contactsOf(steps[step]), "contact")}`;
     drawing.refresh();
   });
   return [el("span", { class: "dock-label" }, "steps"), el("div", { class: "lane" }, drawing.canvas, slider), readout];

@@ -22,6 +22,7 @@ export class Contacts {
   private readonly vertexWidth: number;
   private readonly weightWidth: number;
   private readonly certainty: Uint8Array;
+  private readonly fresh: Uint8Array | null;
   private readonly vertices: Int32Array;
   private readonly weights: Uint16Array;
   private readonly normals: Int16Array;
@@ -31,6 +32,7 @@ export class Contacts {
     this.kind = file.planes("kind", 1);
     this.count = this.kind.length;
     this.certainty = file.planes("certainty", 1);
+    this.fresh = "is_new" in file.header.columns ? file.planes("is_new", 1) : null;
     this.vertexWidth = Math.max(...this.kinds.map(({ first, second }) => first + second));
     this.weightWidth = this.vertexWidth - 2;
     this.vertices = new Int32Array(file.integers("vertices", this.vertexWidth).buffer);
@@ -42,6 +44,11 @@ export class Contacts {
 
   isUnresolved(i: number): boolean {
     return this.certainty[i] === 1;
+  }
+
+  /** Whether an audit's frame before did not have the pair. */
+  isNew(i: number): boolean {
+    return this.fresh?.[i] === 1;
   }
 
   kindOf(i: number): PairKind {
@@ -74,6 +81,11 @@ export class Contacts {
   storedWeights(i: number): number[] {
     const at = this.weightWidth * i;
     return Array.from(this.weights.subarray(at, at + this.weightWidth), (w) => w / 65535);
+  }
+
+  /** The stored weight in place k, without a copy. */
+  storedWeight(i: number, k: number): number {
+    return this.weights[this.weightWidth * i + k] / 65535;
   }
 
   /** The weights of the first feature's vertices. */

@@ -20,17 +20,30 @@ export interface StepHeader {
   /** Before this time the step is proven free; null: the whole step is. */
   toi_lower: number | null;
   toi_upper: number | null;
+  /** The counts of stages; empty if they were not kept. */
   stages: Stage[];
+  /** Whether all contacts that were found are listed here. */
+  complete: boolean;
+  /** How many pairs touch at the start and were ignored. */
+  ignored: number;
   /** Only in audits: the frames at its start and end; the same frame twice if no step leads to the frame. */
   ends?: [number, number];
 }
 
 /** All frames of an audited motion. The scene holds positions of some of them. */
 export interface Strip {
+  /** Whether the question was about the intersections of frames, too. */
+  asks_intersections: boolean;
   names: string[];
+  /** Why a frame was not asked about, by its number. */
+  problems: Partial<Record<string, string>>;
+  /** Whether a step that ends at the frame was asked about. */
+  has_step: boolean[];
   /** For each frame the number of contacts in the step that ends there. */
   contacts: number[];
   intersections: number[];
+  /** How many of both the frame before did not have. */
+  fresh: number[];
   /** For each frame the scene's step that ends there; -1: the scene does not hold it. */
   steps: number[];
 }
@@ -39,9 +52,12 @@ export interface SceneHeader {
   names: string[];
   scale: number;
   min_separation: number;
+  /** What became of pairs that touch at the start: "report" or "ignore". */
+  at_start: string;
   kinds: PairKind[];
   steps: StepHeader[];
-  mesh: { vertices: number; faces: number; edges: number; points: number; objects: number };
+  /** `names`: of objects, by their numbers; there may be none, or fewer than objects. */
+  mesh: { vertices: number; faces: number; edges: number; points: number; names: string[] };
   grid: { lowest: [number, number, number]; spacing: number; error: number };
   columns: Record<string, { offset: number; count: number }>;
   /** Only in audits. */
@@ -56,14 +72,19 @@ export const endsOf = ({ steps, names }: SceneHeader, step: number): [number, nu
 export const namesOf = (header: SceneHeader, step: number): string[] =>
   [...new Set(endsOf(header, step))].map((frame) => header.names[frame]);
 
-/** Whether the scene holds a frame, and the frame has intersections or its step has contacts. */
-export const holdsBad = (strip: Strip, frame: number): boolean =>
-  strip.steps[frame] >= 0 && strip.contacts[frame] + strip.intersections[frame] > 0;
+const shownFrames = ({ steps }: Strip): number[] => steps.flatMap((step, frame) => (step < 0 ? [] : [frame]));
 
-/** In an audit the first step that the scene holds and that ends at a bad frame; else the first step. */
+/** The frames that the scene holds and that have intersections, or contacts in the step to them. */
+export const badFrames = (strip: Strip): number[] =>
+  shownFrames(strip).filter((frame) => strip.contacts[frame] + strip.intersections[frame] > 0);
+
+/** Those that have pairs which the frame before did not have. */
+export const newFrames = (strip: Strip): number[] => shownFrames(strip).filter((frame) => strip.fresh[frame] > 0);
+
+/** The step that a page shows first: in an audit the first one with new pairs, else the first bad one. */
 export function firstBadStep({ strip }: Pick<SceneHeader, "strip">): number {
-  const bad = strip?.steps.findIndex((_, frame) => holdsBad(strip, frame)) ?? -1;
-  return bad < 0 ? 0 : strip!.steps[bad];
+  const first = strip && [...newFrames(strip), ...badFrames(strip)][0];
+  return first === undefined ? 0 : strip!.steps[first];
 }
 
 /** Whether the scene is a single frame: then its pairs are intersections, and nothing moves. */
@@ -72,18 +93,3 @@ export const isPose = ({ names, strip }: Pick<SceneHeader, "names" | "strip">): 
 /** The word for the pairs of a scene. */
 export const nounOf = (header: Pick<SceneHeader, "names" | "strip">): string =>
   header.strip ? "pair" : isPose(header) ? "intersection" : "contact";
-
-/** The sentence for a step or frame without pairs. */
-export function nothingFound(header: SceneHeader, step: StepHeader): string {
-  if (header.strip)
-    return step.ends && step.ends[0] === step.ends[1]
-      ? "nothing was found in this frame; no step to it was asked about."
-      : "nothing was found in this frame, nor in the step to it.";
-  return isPose(header) ? "no edge passes through a triangle or touches one, proven." : withoutContacts(step);
-}
-
-/** The sentence for a step without contacts. If not all contacts are listed here, the step need not be free. */
-export function withoutContacts({ toi_lower: lower }: StepHeader): string {
-  if (lower === null) return "the step is free, proven.";
-  return `none is listed here, but pairs listed elsewhere may touch${lower > 0 ? ` from ${lower} on` : ""}.`;
-}

@@ -1,5 +1,6 @@
 // One contact's pair of features and its motion.
 import { cross, dot, length, mix, subtract, times, unit, weighted, type Vec3 } from "../vectors";
+import { isIntersection } from "./proofs";
 import type { Scene, Step } from "./scene";
 
 export class Pair {
@@ -10,6 +11,8 @@ export class Pair {
   readonly normal: Vec3;
   /** The longest edge of the features, or of points how far they move; in the drawing's unit. */
   readonly size: number;
+  /** A pair without a time of its own: an edge passes through a face in a frame. */
+  readonly isIntersection: boolean;
   /** Times at which the pair is visibly apart before the contact, and visibly past it. */
   readonly before: number;
   readonly after: number;
@@ -30,7 +33,8 @@ export class Pair {
     this.secondWeights = contacts.secondWeights(index);
     this.normal = scene.direction(contacts.normal(index));
     this.size = this.extent();
-    const reach = this.visibleTime();
+    this.isIntersection = isIntersection(contacts, index);
+    const reach = this.isIntersection ? 0 : this.visibleTime();
     this.before = Math.max(0, this.toi - reach);
     this.after = Math.min(1, this.toi + reach);
   }

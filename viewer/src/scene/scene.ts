@@ -2,6 +2,7 @@
 // a step without motion.
 import { Contacts } from "./contacts";
 import { endsOf, type SceneHeader, type StepHeader } from "./header";
+import { Objects } from "./objects";
 import { SceneFile } from "./scene_file";
 import type { Up } from "../store";
 import type { Vec3 } from "../vectors";
@@ -30,6 +31,7 @@ export class Scene {
   readonly loosePoints: Uint32Array;
   /** -1: no feature uses the vertex. */
   readonly objectOfVertex: Int32Array;
+  readonly objects: Objects;
   private readonly frames: Uint32Array[];
   private readonly centre: [number, number, number];
   private readonly firstOfStep: number[] = [0];
@@ -41,6 +43,7 @@ export class Scene {
     this.rods = file.integers("rods", 2);
     this.loosePoints = file.integers("loose_points", 1);
     this.objectOfVertex = new Int32Array(file.integers("object_of_vertex", 1).buffer);
+    this.objects = new Objects(this.objectOfVertex, this.header.mesh.names);
     this.frames = file.frames();
     this.centre = this.middle();
     this.up = this.guessUp();
@@ -78,17 +81,17 @@ export class Scene {
     const start = new Float32Array(from.length);
     const end = new Float32Array(from.length);
     const { scale } = this.header;
-    const { centre } = this;
-    const place = (v: number, part: number): Vec3 => {
-      const at = (axis: number): number => {
+    // Without an array for each vertex, of which there may be millions.
+    for (let axis = 0; axis < 3; ++axis) {
+      const centre = this.centre[axis];
+      const unit = this.direction([0, 1, 2].map((a) => (a === axis ? 1 : 0)) as Vec3);
+      const place = unit.findIndex((x) => x !== 0);
+      const factor = (2 * unit[place]) / kGridCells;
+      for (let v = 0; v < from.length; v += 3) {
         const x = from[v + axis];
-        return (2 * (x + part * (to[v + axis] - x) - centre[axis])) / kGridCells;
-      };
-      return this.direction([at(0), at(1), at(2)]);
-    };
-    for (let v = 0; v < from.length; v += 3) {
-      start.set(place(v, 0), v);
-      end.set(place(v, scale), v);
+        start[v + place] = factor * (x - centre);
+        end[v + place] = factor * (x + scale * (to[v + axis] - x) - centre);
+      }
     }
     return [start, end];
   }
@@ -96,12 +99,14 @@ export class Scene {
   /** The axis that points up: z if a floor (a flat object without motion) lies across z and none across y, else y. */
   private guessUp(): Up {
     const [first, second = first] = this.frames;
-    const { objects } = this.header.mesh;
-    const low = new Float64Array(3 * objects).fill(Infinity);
-    const high = new Float64Array(3 * objects).fill(-Infinity);
-    const moves = new Uint8Array(objects);
-    this.objectOfVertex.forEach((object, v) => {
-      if (object < 0) return;
+    const { numbers } = this.objects;
+    const places = new Map(numbers.map((object, place) => [object, place]));
+    const low = new Float64Array(3 * numbers.length).fill(Infinity);
+    const high = new Float64Array(3 * numbers.length).fill(-Infinity);
+    const moves = new Uint8Array(numbers.length);
+    this.objectOfVertex.forEach((number, v) => {
+      const object = places.get(number);
+      if (object === undefined) return;
       for (let axis = 0; axis < 3; ++axis) {
         const x = first[3 * v + axis];
         low[3 * object + axis] = Math.min(low[3 * object + axis], x);
@@ -114,7 +119,7 @@ export class Scene {
       const other = axis === 2 ? 1 : 2;
       return !moves[object] && size(axis) < 1e-3 * Math.min(size(0), size(other));
     };
-    const all = Array.from({ length: objects }, (_, i) => i);
+    const all = numbers.map((_, place) => place);
     return !all.some((object) => isFloor(object, 1)) && all.some((object) => isFloor(object, 2)) ? "z" : "y";
   }
 

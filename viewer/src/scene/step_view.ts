@@ -1,4 +1,5 @@
 // The data to draw and list one step.
+import { isIntersection } from "./proofs";
 import type { Scene, Step } from "./scene";
 import type { MarkData } from "../view3d/marks";
 
@@ -23,15 +24,16 @@ export class StepView {
     this.byTime.sort((a, b) => toiLower[a] - toiLower[b] || a - b);
   }
 
-  /** The first certified contact, or if there is none the first of all; -1 if there are none. */
+  /** The first certified contact or intersection, a new one if there is one; -1 if there are none. */
   get firstContact(): number {
-    const certain = this.byTime.find((i) => !this.scene.contacts.isUnresolved(i));
-    return certain ?? this.limiting;
+    const { contacts } = this.scene;
+    const certain = this.byTime.filter((i) => !contacts.isUnresolved(i));
+    return [certain.find((i) => contacts.isNew(i)), certain[0], this.byTime[0]].find((i) => i !== undefined) ?? -1;
   }
 
-  /** The contact with the earliest bracket, before which no pair touches; -1 if there are none. */
+  /** The contact with the earliest bracket; -1 if there are none. Intersections end no step. */
   get limiting(): number {
-    return this.byTime.length > 0 ? this.byTime[0] : -1;
+    return this.byTime.find((i) => !isIntersection(this.scene.contacts, i)) ?? -1;
   }
 
   private place(): MarkData {
@@ -43,13 +45,14 @@ export class StepView {
     const flags = new Float32Array(step.count);
     for (let k = 0; k < step.count; ++k) {
       const i = step.first + k;
-      const weights = contacts.firstWeights(i);
-      for (let w = 0; w < weights.length; ++w) {
-        const v = 3 * contacts.vertex(i, w);
-        for (let axis = 0; axis < 3; ++axis) {
-          start[3 * k + axis] += weights[w] * step.start[v + axis];
-          end[3 * k + axis] += weights[w] * step.end[v + axis];
-        }
+      // The first feature is a vertex or an edge.
+      const isEdge = contacts.kindOf(i).first === 2;
+      const along = isEdge ? contacts.storedWeight(i, 0) : 0;
+      const a = 3 * contacts.vertex(i, 0);
+      const b = isEdge ? 3 * contacts.vertex(i, 1) : a;
+      for (let axis = 0; axis < 3; ++axis) {
+        start[3 * k + axis] = (1 - along) * step.start[a + axis] + along * step.start[b + axis];
+        end[3 * k + axis] = (1 - along) * step.end[a + axis] + along * step.end[b + axis];
       }
       toi[k] = contacts.toiLower[i];
       flags[k] = contacts.isUnresolved(i) ? 1 : 0;

@@ -1,6 +1,7 @@
 // Draws contacts as round marks that move with their features, in two draw calls for any number of contacts.
 import { BufferAttribute, BufferGeometry, GreaterDepth, Group, LessEqualDepth, Points, ShaderMaterial } from "three";
 import { kMotion } from "./shaders";
+import { kDraftMarks, thinned } from "./large";
 import type { SharedUniforms } from "./shared";
 
 const kVertex = /* glsl */ `
@@ -56,6 +57,8 @@ export interface MarkData {
 
 export class Marks extends Group {
   private readonly geometry = new BufferGeometry();
+  /** Some of the marks. */
+  private readonly few = new BufferGeometry();
   private readonly passes: Points<BufferGeometry, ShaderMaterial>[];
 
   constructor(shared: SharedUniforms) {
@@ -83,6 +86,9 @@ export class Marks extends Group {
     this.geometry.setAttribute("end", new BufferAttribute(data.end, 3));
     this.geometry.setAttribute("toi", new BufferAttribute(data.toi, 1));
     this.geometry.setAttribute("flags", new BufferAttribute(data.flags, 1));
+    for (const [name, attribute] of Object.entries(this.geometry.attributes)) this.few.setAttribute(name, attribute);
+    const all = Uint32Array.from(data.toi, (_, i) => i);
+    this.few.setIndex(new BufferAttribute(thinned(all, 1, kDraftMarks), 1));
     // Marks of many contacts are small, or they would hide each other.
     const [few, many] = [200, 50000];
     const crowd = Math.min(Math.max(Math.log(data.toi.length / few) / Math.log(many / few), 0), 1);
@@ -91,6 +97,11 @@ export class Marks extends Group {
 
   filterChanged(): void {
     this.geometry.getAttribute("flags").needsUpdate = true;
+  }
+
+  /** Draws some marks alone. */
+  set draft(on: boolean) {
+    for (const points of this.passes) points.geometry = on ? this.few : this.geometry;
   }
 
   set xray(on: boolean) {

@@ -1,12 +1,14 @@
 // Draws segments with a width in pixels in one draw call: rods, features, normals, trails.
 import {
   BufferAttribute,
+  Group,
   InstancedBufferAttribute,
   InstancedBufferGeometry,
   Mesh,
   ShaderMaterial,
   type IUniform,
 } from "three";
+import { kSlice } from "./large";
 import type { SharedUniforms } from "./shared";
 
 const kVertex = /* glsl */ `
@@ -68,14 +70,15 @@ export interface SegmentStyle {
   time?: IUniform<number>;
 }
 
-export class Segments extends Mesh<InstancedBufferGeometry, ShaderMaterial> {
+/** So many segments are one object of the scene, so that a large number can be drawn in slices. */
+const kChunk = Math.floor(kSlice / 6);
+
+export class Segments extends Group {
+  private readonly material: ShaderMaterial;
+
   constructor(shared: SharedUniforms, style: SegmentStyle) {
-    const geometry = new InstancedBufferGeometry();
-    const corners = new Float32Array([-1, -1, 1, -1, 1, 1, -1, 1]);
-    geometry.setAttribute("corner", new BufferAttribute(corners, 2));
-    geometry.setIndex([0, 1, 2, 0, 2, 3]);
-    geometry.instanceCount = 0;
-    const material = new ShaderMaterial({
+    super();
+    this.material = new ShaderMaterial({
       vertexShader: kVertex,
       fragmentShader: kFragment,
       uniforms: {
@@ -89,20 +92,39 @@ export class Segments extends Mesh<InstancedBufferGeometry, ShaderMaterial> {
       depthTest: !style.hidden,
       depthWrite: false,
     });
-    super(geometry, material);
-    this.frustumCulled = false;
   }
 
   show(data: SegmentData): void {
-    const set = (name: string, array: Float32Array): void => {
-      this.geometry.setAttribute(name, new InstancedBufferAttribute(array, 3));
-    };
-    set("fromStart", data.fromStart);
-    set("fromEnd", data.fromEnd);
-    set("toStart", data.toStart);
-    set("toEnd", data.toEnd);
-    this.geometry.setAttribute("colour", new InstancedBufferAttribute(data.colour, 4, true));
-    this.geometry.instanceCount = data.fromStart.length / 3;
+    for (const chunk of this.children) (chunk as Mesh).geometry.dispose();
+    this.clear();
+    const count = data.fromStart.length / 3;
+    for (let from = 0; from < count; from += kChunk) this.add(this.chunk(data, from, Math.min(from + kChunk, count)));
+  }
+
+  /** Draws at most so many segments; Infinity: all. */
+  limitTo(most: number): void {
+    this.children.forEach((chunk, i) => {
+      const { geometry } = chunk as Mesh<InstancedBufferGeometry>;
+      const all = geometry.getAttribute("fromStart").count;
+      geometry.instanceCount = Math.min(all, most);
+      chunk.visible = i === 0 || most === Infinity;
+    });
+  }
+
+  private chunk(data: SegmentData, from: number, to: number): Mesh {
+    const geometry = new InstancedBufferGeometry();
+    const corners = new Float32Array([-1, -1, 1, -1, 1, 1, -1, 1]);
+    geometry.setAttribute("corner", new BufferAttribute(corners, 2));
+    geometry.setIndex([0, 1, 2, 0, 2, 3]);
+    for (const name of ["fromStart", "fromEnd", "toStart", "toEnd"] as const)
+      geometry.setAttribute(name, new InstancedBufferAttribute(data[name].subarray(3 * from, 3 * to), 3));
+    const colour = new InstancedBufferAttribute(data.colour.subarray(4 * from, 4 * to), 4, true);
+    geometry.setAttribute("colour", colour);
+    geometry.instanceCount = to - from;
+    const mesh = new Mesh(geometry, this.material);
+    mesh.frustumCulled = false;
+    mesh.renderOrder = this.renderOrder;
+    return mesh;
   }
 }
 

@@ -1,17 +1,23 @@
 // The drawing of mesh, contacts and selected pair. A frame is drawn only when something has changed.
 import { Color, Points, Scene as Scene3d, ShaderMaterial, BufferGeometry, BufferAttribute, Vector3 } from "three";
 import { WebGLRenderer } from "three";
+import { el } from "../dom";
 import type { Pair } from "../scene/pair";
 import type { Scene, Step } from "../scene/scene";
 import type { Theme } from "../store";
 import type { Vec3 } from "../vectors";
 import { Camera } from "./camera";
+import { kDraftMarks, kLarge, Slices } from "./large";
 import { Marks, type MarkData } from "./marks";
 import { Pair3d } from "./pair3d";
 import { Segments, segmentsBetween, type SegmentData } from "./segments";
 import { kMotion } from "./shaders";
 import { sharedUniforms } from "./shared";
 import { Surface } from "./surface";
+
+/** How long nothing happens before the whole is drawn, in milliseconds. */
+const kPause = 150;
+const kDraftRatio = 0.5;
 
 const kInk: Record<Theme, number> = { dark: 0xe8eef7, light: 0x10151d };
 
@@ -62,6 +68,12 @@ export class Stage {
   private readonly pair3d = new Pair3d(this.shared);
   /** The selected pair, if it is drawn within the scene; null if it is isolated. */
   private shown: Pair | null = null;
+  /** Whether drafts are drawn while anything moves, as the processor draws and the scene is large. */
+  private readonly drafts: boolean;
+  /** The last draft, while the whole picture is drawn behind it. */
+  private readonly still = el("canvas", { class: "still", "aria-hidden": true });
+  private slices: Slices | null = null;
+  private wait = 0;
   private requested = false;
   private last = 0;
 
@@ -69,8 +81,13 @@ export class Stage {
   constructor(
     readonly canvas: HTMLCanvasElement,
     private readonly scene: Scene,
+    isSoftware: boolean,
   ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: false });
+    this.drafts = isSoftware && scene.faces.length + 2 * scene.contacts.count > kLarge;
+    // Slices add to one picture, and edges are smoothed only where that costs little.
+    this.renderer = new WebGLRenderer({ canvas, antialias: !isSoftware, preserveDrawingBuffer: this.drafts });
+    this.still.hidden = true;
+    canvas.after(this.still);
     this.camera = new Camera(canvas, () => {
       this.request();
     });
@@ -167,6 +184,7 @@ export class Stage {
   request(): void {
     if (this.requested) return;
     this.requested = true;
+    this.slices?.stop();
     requestAnimationFrame((now) => {
       this.frame(now);
     });
@@ -177,9 +195,12 @@ export class Stage {
     const began = performance.now();
     const more = this.beforeFrame(this.last ? Math.min((now - this.last) / 1000, 0.1) : 0);
     this.camera.update();
-    this.placeWindow();
     this.renderer.setClearAlpha(0);
+    this.stopSlices();
+    if (this.drafts) this.useDraft(true);
+    this.placeWindow();
     this.renderer.render(this.world, this.camera.camera);
+    this.still.hidden = true;
     for (const listener of this.drawn) listener();
     this.cost.cpu = performance.now() - began;
     this.cost.drawCalls = this.renderer.info.render.calls;
@@ -188,6 +209,42 @@ export class Stage {
     const again = more || this.camera.isFlying;
     this.last = again ? now : 0;
     if (again) this.request();
+    else if (this.drafts) this.wait = window.setTimeout(() => void this.drawWhole(), kPause);
+  }
+
+  /** Whether the drawing will change though nothing more happens. */
+  get isBusy(): boolean {
+    return this.requested || this.wait !== 0;
+  }
+
+  /** Draws all in full resolution behind a copy of the draft, until something happens. */
+  private async drawWhole(): Promise<void> {
+    this.still.width = this.canvas.width;
+    this.still.height = this.canvas.height;
+    this.still.getContext("2d")!.drawImage(this.canvas, 0, 0);
+    this.still.hidden = false;
+    this.useDraft(false);
+    this.placeWindow();
+    const slices = new Slices(this.renderer, this.world, this.camera.camera);
+    this.slices = slices;
+    if (!(await slices.draw())) return;
+    this.stopSlices();
+    this.still.hidden = true;
+    ++this.cost.frames;
+  }
+
+  private stopSlices(): void {
+    clearTimeout(this.wait);
+    this.wait = 0;
+    this.slices?.stop();
+    this.slices = null;
+  }
+
+  private useDraft(on: boolean): void {
+    this.surface.draft = on;
+    this.marks.draft = on;
+    for (const segments of [this.normals, this.features, this.rods]) segments.limitTo(on ? kDraftMarks : Infinity);
+    this.setSize(on ? kDraftRatio : 1);
   }
 
   /** Cuts away the surface that hides the pair. */
@@ -209,12 +266,20 @@ export class Stage {
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement!;
     if (width === 0 || height === 0) return;
-    const ratio = Math.min(devicePixelRatio, 2);
+    this.camera.resize(width, height);
+    this.setSize(1);
+    this.request();
+  }
+
+  /** Sets the number of pixels drawn for one of the screen, in each direction. */
+  private setSize(part: number): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement!;
+    const ratio = part * Math.min(devicePixelRatio, 2);
+    const isSame = this.shared.size.value.x === width * ratio && this.shared.size.value.y === height * ratio;
+    if (isSame || width === 0 || height === 0) return;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.shared.size.value.set(width * ratio, height * ratio);
     this.shared.pixelRatio.value = ratio;
-    this.camera.resize(width, height);
-    this.request();
   }
 }

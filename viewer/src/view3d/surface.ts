@@ -2,6 +2,7 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, LineSegments, Mesh, ShaderMaterial } from "three";
 import { kObjectColours } from "../colours";
 import type { Scene, Step } from "../scene/scene";
+import { coarse } from "./large";
 import { kMotion } from "./shaders";
 import type { SharedUniforms } from "./shared";
 
@@ -99,37 +100,54 @@ void main() {
 function vertexNormals(faces: Uint32Array, positions: Float32Array): Float32Array {
   const normals = new Float32Array(positions.length);
   for (let f = 0; f < faces.length; f += 3) {
-    const [a, b, c] = [3 * faces[f], 3 * faces[f + 1], 3 * faces[f + 2]];
-    const [x, y, z] = [positions[a], positions[a + 1], positions[a + 2]];
-    const [ex, ey, ez] = [positions[b] - x, positions[b + 1] - y, positions[b + 2] - z];
-    const [gx, gy, gz] = [positions[c] - x, positions[c + 1] - y, positions[c + 2] - z];
-    const [nx, ny, nz] = [ey * gz - ez * gy, ez * gx - ex * gz, ex * gy - ey * gx];
-    for (const v of [a, b, c]) {
+    const a = 3 * faces[f];
+    const b = 3 * faces[f + 1];
+    const c = 3 * faces[f + 2];
+    const ex = positions[b] - positions[a];
+    const ey = positions[b + 1] - positions[a + 1];
+    const ez = positions[b + 2] - positions[a + 2];
+    const gx = positions[c] - positions[a];
+    const gy = positions[c + 1] - positions[a + 1];
+    const gz = positions[c + 2] - positions[a + 2];
+    const nx = ey * gz - ez * gy;
+    const ny = ez * gx - ex * gz;
+    const nz = ex * gy - ey * gx;
+    for (let k = 0; k < 3; ++k) {
+      const v = k === 0 ? a : k === 1 ? b : c;
       normals[v] += nx;
       normals[v + 1] += ny;
       normals[v + 2] += nz;
     }
   }
   for (let v = 0; v < normals.length; v += 3) {
-    const length = Math.hypot(normals[v], normals[v + 1], normals[v + 2]);
+    const length = Math.sqrt(normals[v] ** 2 + normals[v + 1] ** 2 + normals[v + 2] ** 2);
     if (length > 0) for (let k = 0; k < 3; ++k) normals[v + k] /= length;
   }
   return normals;
 }
 
-/** The edges of the triangles, each once, as pairs of vertices. */
+/** The edges of the triangles, each once, as pairs of vertices, the smaller one first. */
 export function edgesOf(faces: Uint32Array, vertices: number): Uint32Array {
-  const keys = new Float64Array(faces.length);
+  // Sorted by the smaller vertex in linear time; the few edges of one vertex are then compared with each other.
+  const ends = new Uint32Array(vertices + 1);
+  const smaller = (f: number, k: number): number => Math.min(faces[f + k], faces[f + ((k + 1) % 3)]);
+  for (let f = 0; f < faces.length; f += 3) for (let k = 0; k < 3; ++k) ++ends[smaller(f, k) + 1];
+  for (let v = 0; v < vertices; ++v) ends[v + 1] += ends[v];
+  const place = ends.slice();
+  const others = new Uint32Array(faces.length);
   for (let f = 0; f < faces.length; f += 3)
-    for (let k = 0; k < 3; ++k) {
-      const [a, b] = [faces[f + k], faces[f + ((k + 1) % 3)]];
-      keys[f + k] = Math.min(a, b) * vertices + Math.max(a, b);
-    }
-  keys.sort();
-  const edges: number[] = [];
-  for (let i = 0; i < keys.length; ++i)
-    if (i === 0 || keys[i] !== keys[i - 1]) edges.push(Math.floor(keys[i] / vertices), keys[i] % vertices);
-  return new Uint32Array(edges);
+    for (let k = 0; k < 3; ++k) others[place[smaller(f, k)]++] = Math.max(faces[f + k], faces[f + ((k + 1) % 3)]);
+  const edges = new Uint32Array(2 * faces.length);
+  let count = 0;
+  for (let v = 0; v < vertices; ++v) {
+    const own = others.subarray(ends[v], ends[v + 1]).sort();
+    for (let i = 0; i < own.length; ++i)
+      if (i === 0 || own[i] !== own[i - 1]) {
+        edges[count++] = v;
+        edges[count++] = own[i];
+      }
+  }
+  return edges.slice(0, count);
 }
 
 /** 1 for vertices whose triangles are small, 0 for large ones, of which a contact's colour would light up too much. */
@@ -137,11 +155,14 @@ function fineness(faces: Uint32Array, positions: Float32Array): Float32Array {
   const longest = new Float32Array(positions.length / 3);
   for (let f = 0; f < faces.length; f += 3)
     for (let k = 0; k < 3; ++k) {
-      const [a, b] = [faces[f + k], faces[f + ((k + 1) % 3)]];
-      const [x, y, z] = [0, 1, 2].map((axis) => positions[3 * a + axis] - positions[3 * b + axis]);
-      const edge = Math.hypot(x, y, z);
-      longest[a] = Math.max(longest[a], edge);
-      longest[b] = Math.max(longest[b], edge);
+      const a = faces[f + k];
+      const b = faces[f + ((k + 1) % 3)];
+      const x = positions[3 * a] - positions[3 * b];
+      const y = positions[3 * a + 1] - positions[3 * b + 1];
+      const z = positions[3 * a + 2] - positions[3 * b + 2];
+      const edge = Math.sqrt(x * x + y * y + z * z);
+      if (edge > longest[a]) longest[a] = edge;
+      if (edge > longest[b]) longest[b] = edge;
     }
   const [small, large] = [0.15, 0.4];
   return longest.map((edge) => 1 - Math.min(Math.max((edge - small) / (large - small), 0), 1));
@@ -162,6 +183,10 @@ export class Surface extends Group {
   private readonly material: ShaderMaterial;
   private readonly edges = new LineSegments();
   private hasEdges = false;
+  private showsEdges = false;
+  private readonly mesh: Mesh;
+  /** Fewer triangles of the same vertices; made when it is needed. */
+  private rough: BufferGeometry | null = null;
 
   constructor(
     private readonly scene: Scene,
@@ -179,7 +204,7 @@ export class Surface extends Group {
       polygonOffsetFactor: 1,
       polygonOffsetUnits: 2,
     });
-    const mesh = new Mesh(this.geometry, this.material);
+    this.mesh = new Mesh(this.geometry, this.material);
     this.edges.material = new ShaderMaterial({
       vertexShader: kEdgeVertex,
       fragmentShader: kEdgeFragment,
@@ -187,10 +212,10 @@ export class Surface extends Group {
       transparent: true,
       depthWrite: false,
     });
-    mesh.frustumCulled = false;
+    this.mesh.frustumCulled = false;
     this.edges.frustumCulled = false;
     this.edges.visible = false;
-    this.add(mesh, this.edges);
+    this.add(this.mesh, this.edges);
   }
 
   /** Shows a step. `firstTouch`: for each vertex the time of its first contact, above 1 if it has none. */
@@ -204,7 +229,24 @@ export class Surface extends Group {
     set("normalEnd", vertexNormals(this.scene.faces, step.end), 3);
     set("firstTouch", firstTouch, 1);
     set("fineness", fineness(this.scene.faces, step.start), 1);
-    if (this.hasEdges) this.shareEdges();
+    if (this.hasEdges) this.share(this.edges.geometry, ["position", "end"]);
+    if (this.rough) this.share(this.rough, Object.keys(this.geometry.attributes));
+  }
+
+  /** Draws a coarse surface without edges. */
+  set draft(on: boolean) {
+    this.edges.visible = this.showsEdges && !on;
+    if (on) this.rough ??= this.roughened();
+    this.mesh.geometry = on ? this.rough! : this.geometry;
+  }
+
+  private roughened(): BufferGeometry {
+    const { faces, objectOfVertex } = this.scene;
+    const positions = this.geometry.getAttribute("position").array as Float32Array;
+    const rough = new BufferGeometry();
+    rough.setIndex(new BufferAttribute(coarse(faces, objectOfVertex, positions), 1));
+    this.share(rough, Object.keys(this.geometry.attributes));
+    return rough;
   }
 
   set smooth(on: boolean) {
@@ -219,15 +261,16 @@ export class Surface extends Group {
   }
 
   showEdges(on: boolean): void {
+    this.showsEdges = on;
     this.edges.visible = on;
     if (!on || this.hasEdges) return;
     const edges = edgesOf(this.scene.faces, this.scene.header.mesh.vertices);
     this.edges.geometry.setIndex(new BufferAttribute(edges, 1));
     this.hasEdges = true;
-    this.shareEdges();
+    this.share(this.edges.geometry, ["position", "end"]);
   }
 
-  private shareEdges(): void {
-    for (const name of ["position", "end"]) this.edges.geometry.setAttribute(name, this.geometry.getAttribute(name));
+  private share(geometry: BufferGeometry, names: string[]): void {
+    for (const name of names) geometry.setAttribute(name, this.geometry.getAttribute(name));
   }
 }

@@ -1,0 +1,131 @@
+// What is drawn of large scenes: a coarse surface while anything moves, and the whole in slices once nothing does.
+import { LineSegments, Mesh, Points } from "three";
+import type { BufferGeometry, Camera, InstancedBufferGeometry, Object3D, Scene, WebGLRenderer } from "three";
+
+/** Scenes with more vertices to process than this are drawn in slices; smaller ones at once. */
+export const kLarge = 400_000;
+/** How many triangles and marks a draft has at most. */
+const kDraftTriangles = 60_000;
+export const kDraftMarks = 10_000;
+/** How many vertices a slice has at most, a multiple of 2 and 3: some twentieth of a second where the processor draws. */
+export const kSlice = 59_994;
+
+/** Takes rows of `width` numbers in equal distances, so that at most `most` are left. */
+export function thinned(rows: Uint32Array, width: number, most: number): Uint32Array {
+  const count = rows.length / width;
+  const stride = Math.ceil(count / most);
+  if (stride <= 1) return rows;
+  const kept = new Uint32Array(width * Math.ceil(count / stride));
+  for (let i = 0; i * stride < count; ++i)
+    for (let k = 0; k < width; ++k) kept[width * i + k] = rows[width * i * stride + k];
+  return kept;
+}
+
+/**
+ * Fewer triangles of about the same surface: vertices that share a cell of a grid become one of them. If that leaves
+ * little, as of a cloud of small objects, or too much, some triangles are taken in place of all.
+ */
+export function coarse(faces: Uint32Array, objects: Int32Array, positions: Float32Array): Uint32Array {
+  if (faces.length <= 3 * kDraftTriangles) return faces;
+  const kCells = 80;
+  const first = new Map<number, number>();
+  const joined = new Uint32Array(objects.length);
+  for (let v = 0; v < joined.length; ++v) {
+    let cell = objects[v];
+    for (let axis = 0; axis < 3; ++axis)
+      cell = cell * kCells + Math.floor((positions[3 * v + axis] + 1) * (kCells / 2));
+    const known = first.get(cell);
+    if (known === undefined) first.set(cell, v);
+    joined[v] = known ?? v;
+  }
+  const left = new Uint32Array(faces.length);
+  let count = 0;
+  for (let f = 0; f < faces.length; f += 3) {
+    const a = joined[faces[f]];
+    const b = joined[faces[f + 1]];
+    const c = joined[faces[f + 2]];
+    if (a === b || b === c || c === a) continue;
+    left[count++] = a;
+    left[count++] = b;
+    left[count++] = c;
+  }
+  const isEnough = count > 3 * 0.2 * kDraftTriangles;
+  return thinned(isEnough ? left.subarray(0, count) : faces, 3, kDraftTriangles);
+}
+
+/** An object of the scene that is drawn, and how many vertices are processed for it. */
+interface Leaf {
+  object: Object3D & { geometry: BufferGeometry };
+  count: number;
+  isInstanced: boolean;
+}
+
+function leavesOf(object: Object3D): Leaf[] {
+  if (!object.visible) return [];
+  const isDrawn = object instanceof Mesh || object instanceof Points || object instanceof LineSegments;
+  if (!isDrawn) return object.children.flatMap(leavesOf);
+  const geometry = object.geometry as BufferGeometry;
+  const { instanceCount } = geometry as InstancedBufferGeometry;
+  const isInstanced = "instanceCount" in geometry;
+  const count = geometry.index?.count ?? (geometry.attributes.position as { count: number } | undefined)?.count ?? 0;
+  const leaf = {
+    object: object as unknown as Leaf["object"],
+    count: isInstanced ? count * instanceCount : count,
+    isInstanced,
+  };
+  return leaf.count > 0 ? [leaf] : [];
+}
+
+/** Draws a scene in slices, each when the one before is finished, and may be stopped between them. */
+export class Slices {
+  private stopped = false;
+
+  constructor(
+    private readonly renderer: WebGLRenderer,
+    private readonly world: Scene,
+    private readonly camera: Camera,
+  ) {}
+
+  stop(): void {
+    this.stopped = true;
+  }
+
+  /** Returns whether the picture was finished. */
+  async draw(): Promise<boolean> {
+    const leaves = leavesOf(this.world).sort((a, b) => orderOf(a) - orderOf(b));
+    this.renderer.clear();
+    for (const leaf of leaves)
+      for (let from = 0; from < leaf.count; from += leaf.isInstanced ? leaf.count : kSlice) {
+        this.drawOne(leaves, leaf, from);
+        await this.finished();
+        if (this.stopped) return false;
+      }
+    return true;
+  }
+
+  private drawOne(leaves: Leaf[], { object, isInstanced }: Leaf, from: number): void {
+    for (const leaf of leaves) leaf.object.visible = leaf.object === object;
+    if (!isInstanced) object.geometry.setDrawRange(from, kSlice);
+    this.renderer.autoClear = false;
+    this.renderer.render(this.world, this.camera);
+    this.renderer.autoClear = true;
+    if (!isInstanced) object.geometry.setDrawRange(0, Infinity);
+    for (const leaf of leaves) leaf.object.visible = true;
+  }
+
+  /** Waits until the drawing is done: what is asked for meanwhile would wait behind it. */
+  private async finished(): Promise<void> {
+    const gl = this.renderer.getContext() as WebGL2RenderingContext;
+    const done = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    do await new Promise((later) => setTimeout(later, 4));
+    while (done && !this.stopped && gl.getSyncParameter(done, gl.SYNC_STATUS) !== gl.SIGNALED);
+    gl.deleteSync(done);
+  }
+}
+
+/** As three.js draws: opaque objects first, then by their render order. */
+function orderOf({ object }: Leaf): number {
+  const { transparent } = (object as unknown as { material: { transparent: boolean } }).material;
+  return (transparent ? 1000 : 0) + object.renderOrder;
+}

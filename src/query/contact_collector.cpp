@@ -13,20 +13,6 @@
 
 namespace tamis {
 
-bool comes_before(const Contact& a, const Contact& b) {
-  return std::tie(a.kind, a.vertices, a.toi_lower, a.toi_upper) <
-         std::tie(b.kind, b.vertices, b.toi_lower, b.toi_upper);
-}
-
-void keep_first(EarliestContact& first, const Contact& contact) {
-  if (contact.certainty == Certainty::certified) first.toi_upper = std::min(first.toi_upper, contact.toi_upper);
-  const bool is_first = !first.contact || contact.toi_lower < first.toi_lower ||
-                        (contact.toi_lower == first.toi_lower && comes_before(contact, *first.contact));
-  if (!is_first) return;
-  first.toi_lower = contact.toi_lower;
-  first.contact = contact;
-}
-
 void ContactCollector::begin(const Query& query, Bound& bound) {
   query_ = &query;
   bound_ = &bound;
@@ -53,11 +39,11 @@ bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const Pa
   }
   if (question == Question::earliest) {
     if (result.toi_lower > bound_->latest()) return false;
-    bound_->lower(result.toi_upper * kNearTie);
+    bound_->lower(near_tie(result.toi_upper));
   }
   touched_by_ = std::min(touched_by_, result.toi_upper);
-  if (question == Question::earliest && by == DecidedBy::singly) {
-    keep_first(contact_of(kind, vertices, result));
+  if (question == Question::earliest && by != DecidedBy::lanes) {
+    keep_first(contact_of(kind, vertices, result), by);
     return true;
   }
   contacts_.push_back(contact_of(kind, vertices, result));
@@ -74,7 +60,7 @@ PairResult ContactCollector::as_counted(PairKind kind, const PairVertices& verti
 
 bool ContactCollector::wants(PairKind kind, const PairVertices& vertices) const {
   if (query_->question == Question::is_free) return !bound_->is_settled();
-  return !touches_at_start() || std::tie(kind, vertices) < std::tie(first_.contact->kind, first_.contact->vertices);
+  return !touches_at_start() || std::tie(kind, vertices) < std::tie(earliest().contact->kind, earliest().contact->vertices);
 }
 
 void ContactCollector::take(ContactCollector& other) {
@@ -91,15 +77,11 @@ void ContactCollector::take(ContactCollector& other) {
   learn(other);
 }
 
-void ContactCollector::learn(const ContactCollector& other) {
-  if (!other.first_.contact) return;
-  first_.toi_upper = std::min(first_.toi_upper, other.first_.toi_upper);
-  keep_first(*other.first_.contact);
-}
+void ContactCollector::learn(const ContactCollector& other) { first_.add(other.first_); }
 
 EarliestContact ContactCollector::first() {
   reduce_to_first();
-  return first_;
+  return first_.answer();
 }
 
 /// Contacts found in lanes are decided again on the whole step: their last bits depend on how much of the step the
@@ -109,15 +91,19 @@ void ContactCollector::reduce_to_first() {
     if (c.toi_lower > bound_->latest() || !wants(c.kind, c.vertices)) continue;
     stop_if_cancelled(*query_);
     const double separation = query_->separations.between(c.kind, c.vertices);
-    const PairResult result = decide({c.kind, points_of(query_->step, c.vertices), separation}, decided_by_);
-    keep_first(contact_of(c.kind, c.vertices, as_counted(c.kind, c.vertices, result)));
+    const PairInStep pair{c.kind, points_of(query_->step, c.vertices), separation};
+    const std::uint64_t by_integers = decided_by_.exact;
+    const PairResult result = decide(pair, decided_by_, {bound_->latest(), needed_until(c.kind, c.vertices)});
+    const DecidedBy by = decided_by_.exact > by_integers ? DecidedBy::integers : DecidedBy::doubles;
+    const PairResult counted = result.touches ? as_counted(c.kind, c.vertices, result) : result;
+    if (counted.touches) keep_first(contact_of(c.kind, c.vertices, counted), by);
   }
   contacts_.clear();
 }
 
-void ContactCollector::keep_first(const Contact& decided) {
-  tamis::keep_first(first_, decided);
-  bound_->lower(decided.toi_upper * kNearTie);
+void ContactCollector::keep_first(const Contact& decided, DecidedBy by) {
+  first_.add(decided, by == DecidedBy::integers);
+  bound_->lower(near_tie(decided.toi_upper));
 }
 
 }  // namespace tamis

@@ -4,14 +4,11 @@
 
 #include "numerics/held_bytes.hpp"
 #include "query/bound.hpp"
-#include "query/pair_vertices.hpp"
+#include "query/first_contact.hpp"
 #include "query/query.hpp"
 #include "tamis/statistics.hpp"
 
 namespace tamis {
-
-/// By kind, then vertices; duplicate features leave equal keys, so the time comes last.
-bool comes_before(const Contact& a, const Contact& b);
 
 /// REQUIRES: a pair that touches.
 inline Contact contact_of(PairKind kind, const PairVertices& vertices, const PairResult& r) {
@@ -19,11 +16,8 @@ inline Contact contact_of(PairKind kind, const PairVertices& vertices, const Pai
   return {kind, r.certainty, vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal};
 }
 
-/// Updates `first` by a contact: the earliest toi_lower with its contact, and the earliest certain toi_upper.
-void keep_first(EarliestContact& first, const Contact& contact);
-
-/// How a pair was decided. singly: by decide() on the whole step.
-enum class DecidedBy { lanes, singly };
+/// How a pair was decided: in lanes, or by decide() on the whole step.
+enum class DecidedBy { lanes, doubles, integers };
 
 /// One per thread, and one for the answer. The answer does not depend on the order of contacts, nor on which thread
 /// adds which.
@@ -42,7 +36,11 @@ class ContactCollector {
   bool wants(PairKind kind, const PairVertices& vertices) const;
   bool wants(PairKind kind) const { return wants(kind, {0, 0, 0, 0}); }
   /// Does a known pair touch at t=0? From then on it is worth asking `wants` of each pair first.
-  bool touches_at_start() const { return first_.contact && first_.toi_upper == 0; }
+  bool touches_at_start() const { return earliest().contact && earliest().toi_upper == 0; }
+  /// earliest: as FirstContact::needed_until.
+  double needed_until(PairKind kind, const PairVertices& vertices) const {
+    return first_.needed_until(kind, vertices, bound_->latest());
+  }
   /// Takes what `other` has collected, which then is empty.
   void take(ContactCollector& other);
   /// Takes over what `other` knows of the first contact, which spares pairs here.
@@ -73,12 +71,13 @@ class ContactCollector {
   /// The contact that counts for the query: the result, or where contacts at the start are ignored, its recontact.
   PairResult as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result);
   void reduce_to_first();
-  void keep_first(const Contact& decided);
+  void keep_first(const Contact& decided, DecidedBy by);
+  const EarliestContact& earliest() const { return first_.earliest(); }
 
   const Query* query_ = nullptr;
   Bound* bound_ = nullptr;
   std::vector<Contact> contacts_;  ///< earliest: those not yet decided singly
-  EarliestContact first_;          ///< the first of those decided singly
+  FirstContact first_;             ///< the first of those decided singly
   double touched_by_ = 1;
   PrecisionCount decided_by_;
   std::uint64_t ignored_ = 0;

@@ -65,15 +65,20 @@ void ContactConsumer::add(PairKind kind, const PairVertices& vertices, PairResul
 void ContactConsumer::decide_left(PairKind kind, std::span<const int> places) {
   const auto vertices_at = [&, &pairs = thread().filtered](int place) { return vertices_of(kind, pairs, place); };
   const auto wants_it = [&](int place) { return found_.wants(kind, vertices_at(place)); };
+  const bool is_earliest = query().question == Question::earliest;
   const auto decided = [&](int place, PrecisionCount& counts) {
     stop_if_cancelled(query());
     const PairVertices vertices = vertices_at(place);
     const double separation = query().separations.between(kind, vertices);
-    return decide({kind, points_of(query().step, vertices), separation}, counts);
+    OfInterest times;
+    if (is_earliest) times = {found_.bound().latest(), found_.needed_until(kind, vertices)};
+    return decide({kind, points_of(query().step, vertices), separation}, counts, times);
   };
-  decide_singly(
-      thread(), places, query().question == Question::all_contacts, wants_it, decided,
-      [&](int place, const PairResult& result) { found_.add(kind, vertices_at(place), result, DecidedBy::singly); });
+  decide_singly(thread(), places, query().question == Question::all_contacts, wants_it, decided,
+                [&](int place, const DecidedPair& pair) {
+                  found_.add(kind, vertices_at(place), pair.result,
+                             pair.by_integers ? DecidedBy::integers : DecidedBy::doubles);
+                });
 }
 
 }  // namespace tamis

@@ -20,8 +20,13 @@ std::size_t used(const std::array<Index, 4>& vertices) {
 
 bool is_usable(const FramePointer& frame) { return frame && problem_of(*frame).empty(); }
 
-void add_sentence(std::string& note, const char* sentence) {
-  note += (note.empty() ? "" : "; ") + std::string(sentence);
+void add_sentence(std::string& note, const std::string& sentence) { note += (note.empty() ? "" : "; ") + sentence; }
+
+/// Empty if both are.
+std::vector<bool> in_either(std::vector<bool> a, const std::vector<bool>& b) {
+  if (a.empty()) return b;
+  for (std::size_t i = 0; i < b.size(); ++i) a[i] = a[i] || b[i];
+  return a;
 }
 
 void bracket_first(FrameAnswer& answer, std::span<const Contact> contacts) {
@@ -52,33 +57,54 @@ FrameAsker::FrameAsker(const Options& options, int threads, std::function<bool()
 FrameFindings FrameAsker::ask(const FramePointer& before, const FramePointer& frame, std::int64_t number) {
   FrameFindings findings{number, nullptr, frame, {frame->name, problem_of(*frame), frame->note}, {}, {}, {}};
   if (!findings.answer.problem.empty()) return findings;
-  use(frame->mesh);
+  const Collapsed here = collapsed_in_frame(frame);
+  findings.answer.has_collapsed = here.any();
+  if (here.any()) add_sentence(findings.answer.note, here.sentence + ": of that nothing else is asked here");
   if (before && before->mesh && before->mesh != frame->mesh)
     add_sentence(findings.answer.note, "the topology changes here: no step leads to this frame");
   else if (options_.contacts && frame->follows && is_usable(before))
     findings.before = before;
+  std::vector<bool> left_out = here.components;
+  if (findings.before) {
+    const Collapsed then = collapsed_in_frame(before);
+    if (then.any()) add_sentence(findings.answer.note, "the step leaves out what has collapsed at its start");
+    left_out = in_either(left_out, then.components);
+  }
+  if (!use(frame->mesh, left_out)) findings.before = nullptr;
   if (findings.before) ask_step(findings);
-  if (options_.intersections) ask_pose(findings);
+  if (options_.intersections && use(frame->mesh, here.components)) ask_pose(findings);
   list(findings);
   return findings;
 }
 
-void FrameAsker::use(const std::shared_ptr<const AuditedMesh>& mesh) {
-  if (mesh == mesh_) return;
+Collapsed FrameAsker::collapsed_in_frame(const FramePointer& frame) const {
+  return collapsed_in(frame->mesh->mesh(), frame->mesh->components(), frame->positions);
+}
+
+bool FrameAsker::use(const std::shared_ptr<const AuditedMesh>& mesh, std::vector<bool> left_out) {
+  if (mesh == mesh_ && left_out == left_out_) return detector_.has_value();
   tamis::Options options;
   options.threads = threads_;
   options.min_separation = options_.min_separation;
   options.is_cancelled = is_cancelled_;
-  rings_.reset();
-  detector_.emplace(mesh->mesh(), std::move(options));
+  detector_.reset();
+  free_frame_ = nullptr;
+  if (left_out.empty())
+    detector_.emplace(mesh->mesh(), std::move(options));
+  else if (const auto rest = without(mesh->mesh(), mesh->components(), left_out))
+    detector_.emplace(*rest, std::move(options));
+  left_out_ = std::move(left_out);
+  if (mesh == mesh_) return detector_.has_value();
   mesh_ = mesh;
   has_point_face_ = std::any_of(mesh->mesh().faces().begin(), mesh->mesh().faces().end(), is_point);
   rings_.emplace(*mesh_, options_.ring_limit);
+  return detector_.has_value();
 }
 
 void FrameAsker::ask_step(FrameFindings& findings) {
   detector_->contacts({findings.before->positions, findings.frame->positions}, findings.contacts);
   findings.answer.has_step = true;
+  if (!left_out_.empty()) findings.answer.toi_lower = 0;  // nothing is proven of what is left out
   bracket_first(findings.answer, findings.contacts);
 }
 

@@ -1,5 +1,5 @@
-// Coplanarity that comes to zero and turns there, or lingers, before it has passed zero anywhere: as where all points of
-// a scene come to one line or one point. Doubles know the sign of such a cubic on neither side of the root, and its
+// Coplanarity that comes to zero and turns there, or lingers, before it has passed zero anywhere: as where all points
+// of a scene come to one line or one point. Doubles know the sign of such a cubic on neither side of the root, and its
 // slope nowhere near, so cutting the time ends at the root without a decision.
 #pragma once
 #include <algorithm>

@@ -11,7 +11,7 @@ namespace tamis {
 inline constexpr double kNearTie = 1 + 0x1p-16, kNearTieTime = 2e-11;
 
 /// The latest time of interest after a contact that ends so. The bracket of a pair that touches later begins after
-/// `toi_upper` by more than 2^-38 of it.
+/// `toi_upper` by more than 2^-37 of it (FirstContact).
 inline double near_tie(double toi_upper) { return std::min(toi_upper * kNearTie, toi_upper + kNearTieTime); }
 
 /// Is this bracket of a certified contact good enough? It must be narrower than 1e-11, and than a twentieth of what

@@ -60,7 +60,8 @@ PairResult ContactCollector::as_counted(PairKind kind, const PairVertices& verti
 
 bool ContactCollector::wants(PairKind kind, const PairVertices& vertices) const {
   if (query_->question == Question::is_free) return !bound_->is_settled();
-  return !touches_at_start() || std::tie(kind, vertices) < std::tie(earliest().contact->kind, earliest().contact->vertices);
+  return !touches_at_start() ||
+         std::tie(kind, vertices) < std::tie(earliest().contact->kind, earliest().contact->vertices);
 }
 
 void ContactCollector::take(ContactCollector& other) {

@@ -57,7 +57,8 @@ void FirstContact::add(const FirstContact& other) {
   if (!other.first_of_crowd_ || other.crowd_time_ > crowd_time_) return;
   if (other.crowd_time_ < crowd_time_) first_of_crowd_.reset();
   for (const Key& key : other.crowd_) add_to_crowd(other.crowd_time_, key);
-  if (!first_of_crowd_ || comes_before(*other.first_of_crowd_, *first_of_crowd_)) first_of_crowd_ = other.first_of_crowd_;
+  if (!first_of_crowd_ || comes_before(*other.first_of_crowd_, *first_of_crowd_))
+    first_of_crowd_ = other.first_of_crowd_;
 }
 
 EarliestContact FirstContact::answer() const {

@@ -16,7 +16,8 @@ bool comes_before(const Contact& a, const Contact& b);
 /// Updates `first` by a contact: the earliest toi_lower with its contact, and the earliest certain toi_upper.
 void keep_first(EarliestContact& first, const Contact& contact);
 
-/// The beginning of a short time, 2^-38 of itself long, that holds `time`. A later time has no earlier beginning.
+/// The beginning of a short time, at most 2^-37 of itself long, that holds `time`. A later time has no earlier
+/// beginning.
 double beginning_of(double time);
 
 /// The result depends on the set of contacts, whatever their order.

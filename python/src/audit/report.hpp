@@ -15,6 +15,7 @@ struct FrameRow {
   std::uint64_t neighbours;
   double toi_lower;
   double toi_upper;
+  bool has_collapsed;
 };
 
 nanobind::dict as_dict(const audit::Report& report);

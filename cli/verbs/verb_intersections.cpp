@@ -84,7 +84,7 @@ class IntersectionsVerb final : public PoseVerb {
                  fmt::format("{} {} {}", face[0], face[1], face[2]), s_upper);
     }
     if (found.size() > kPrinted)
-      fmt::print("and {} more: --json and --out FILE.csv list them, --out FILE.html or FILE.png shows them\n",
+      fmt::print("and {} more: --json or --out FILE.csv lists all, --out FILE.html or FILE.png shows them\n",
                  grouped(found.size() - kPrinted));
   }
 

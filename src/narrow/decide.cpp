@@ -66,7 +66,7 @@ bool stays_apart_closing_in(const PairInStep& pair, TimeInterval<double> time) {
 
 /// Is the answer of integers not needed?
 bool is_needless(const PairInStep& pair, const TimeInterval<double>& clip, double needed_until) {
-  return needed_until < 1 && (clip.t_in >= needed_until || stays_apart_closing_in(pair, {clip.t_in, needed_until}));
+  return needed_until < 1 && (clip.t_in > needed_until || stays_apart_closing_in(pair, {clip.t_in, needed_until}));
 }
 
 PairResult described(const PairInStep& pair, const Decision& decision) {

@@ -9,13 +9,13 @@
 namespace tamis::audit {
 namespace {
 
-constexpr int kSquares = 30;  // pairs of all parts of such a sheet: several million, minutes
+constexpr int kFineSquares = 30;  // pairs of all parts of such a sheet: several million, minutes
 
 std::vector<Point> sheet(double height) {
-  return test::sheet_points(kSquares, [=](double x, double y) { return height + 0.05 * x * y; });
+  return test::sheet_points(kFineSquares, [=](double x, double y) { return height + 0.05 * x * y; });
 }
 
-Report audited(const std::vector<std::vector<Point>>& poses, Mesh mesh) {
+Report audit_of(const std::vector<std::vector<Point>>& poses, Mesh mesh) {
   const auto shared = std::make_shared<const AuditedMesh>(std::move(mesh));
   std::vector<Frame> frames;
   for (const auto& pose : poses) frames.push_back({"f" + std::to_string(frames.size()), pose, shared, {}, {}});
@@ -31,7 +31,7 @@ std::vector<Point> squeezed(std::vector<Point> points, std::size_t axes) {
 
 TEST(Collapsed, AFrameThatWasNeverWrittenIsOneFact) {
   const std::vector<Point> zeros(sheet(0).size(), Point{0, 0, 0});
-  const Report report = audited({sheet(0), zeros, sheet(0.1)}, Mesh(Index(zeros.size()), test::sheet_faces(kSquares)));
+  const Report report = audit_of({sheet(0), zeros, sheet(0.1)}, Mesh(Index(zeros.size()), test::sheet_faces(kFineSquares)));
   EXPECT_FALSE(report.is_free());
   EXPECT_EQ(report.first_bad(), 1u);
   EXPECT_EQ(report.collapsed, 1u);
@@ -44,9 +44,9 @@ TEST(Collapsed, AFrameThatWasNeverWrittenIsOneFact) {
 }
 
 TEST(Collapsed, OneObjectOfTwoLeavesTheOtherToBeAsked) {
-  std::vector<Face> faces = test::sheet_faces(kSquares);
+  std::vector<Face> faces = test::sheet_faces(kFineSquares);
   const auto count = static_cast<Index>(sheet(0).size());
-  for (const Face& face : test::sheet_faces(kSquares, count)) faces.push_back(face);
+  for (const Face& face : test::sheet_faces(kFineSquares, count)) faces.push_back(face);
   faces.push_back({2 * count, 2 * count + 1, 2 * count + 2});
   const auto pose = [&](bool is_point, double needle) {
     std::vector<Point> all = sheet(0);
@@ -54,7 +54,7 @@ TEST(Collapsed, OneObjectOfTwoLeavesTheOtherToBeAsked) {
     for (const double x : {0.31, 0.36, 0.33}) all.push_back({x, x + 0.01 * (x == 0.33), needle});
     return all;
   };
-  const Report report = audited({pose(false, 0.5), pose(true, -0.5)}, Mesh(2 * count + 3, faces));
+  const Report report = audit_of({pose(false, 0.5), pose(true, -0.5)}, Mesh(2 * count + 3, faces));
   EXPECT_TRUE(report.frames[1].has_collapsed);
   EXPECT_NE(report.frames[1].note.find("object with vertex " + std::to_string(count)), std::string::npos);
   EXPECT_TRUE(report.frames[1].has_step);
@@ -64,7 +64,7 @@ TEST(Collapsed, OneObjectOfTwoLeavesTheOtherToBeAsked) {
 }
 
 TEST(Collapsed, OnALineButNotInAPlane) {
-  const Mesh mesh(Index(sheet(0).size()), test::sheet_faces(kSquares));
+  const Mesh mesh(Index(sheet(0).size()), test::sheet_faces(kFineSquares));
   const auto says = [&](std::size_t axes) {
     const std::vector<Point> pose = squeezed(sheet(0), axes);
     return collapsed_in(mesh, components_of(mesh), pose).sentence;

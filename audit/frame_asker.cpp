@@ -70,6 +70,7 @@ FrameFindings FrameAsker::ask(const FramePointer& before, const FramePointer& fr
     if (then.any()) add_sentence(findings.answer.note, "the step leaves out what has collapsed at its start");
     left_out = in_either(left_out, then.components);
   }
+  if (!left_out.empty()) findings.answer.toi_lower = 0;  // nothing is proven of what is left out
   if (!use(frame->mesh, left_out)) findings.before = nullptr;
   if (findings.before) ask_step(findings);
   if (options_.intersections && use(frame->mesh, here.components)) ask_pose(findings);
@@ -104,7 +105,6 @@ bool FrameAsker::use(const std::shared_ptr<const AuditedMesh>& mesh, std::vector
 void FrameAsker::ask_step(FrameFindings& findings) {
   detector_->contacts({findings.before->positions, findings.frame->positions}, findings.contacts);
   findings.answer.has_step = true;
-  if (!left_out_.empty()) findings.answer.toi_lower = 0;  // nothing is proven of what is left out
   bracket_first(findings.answer, findings.contacts);
 }
 

@@ -92,9 +92,10 @@ void ContactCollector::reduce_to_first() {
     if (c.toi_lower > bound_->latest() || !wants(c.kind, c.vertices)) continue;
     stop_if_cancelled(*query_);
     const double separation = query_->separations.between(c.kind, c.vertices);
-    const PairInStep pair{c.kind, points_of(query_->step, c.vertices), separation};
+    const PairPoints points = points_of(query_->step, c.vertices);
     const std::uint64_t by_integers = decided_by_.exact;
-    const PairResult result = decide(pair, decided_by_, {bound_->latest(), needed_until(c.kind, c.vertices)});
+    const OfInterest times{bound_->latest(), needed_until(c.kind, c.vertices)};
+    const PairResult result = decide({c.kind, points, separation}, decided_by_, times);
     const DecidedBy by = decided_by_.exact > by_integers ? DecidedBy::integers : DecidedBy::doubles;
     const PairResult counted = result.touches ? as_counted(c.kind, c.vertices, result) : result;
     if (counted.touches) keep_first(contact_of(c.kind, c.vertices, counted), by);

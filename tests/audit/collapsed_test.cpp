@@ -31,7 +31,8 @@ std::vector<Point> squeezed(std::vector<Point> points, std::size_t axes) {
 
 TEST(Collapsed, AFrameThatWasNeverWrittenIsOneFact) {
   const std::vector<Point> zeros(sheet(0).size(), Point{0, 0, 0});
-  const Report report = audit_of({sheet(0), zeros, sheet(0.1)}, Mesh(Index(zeros.size()), test::sheet_faces(kFineSquares)));
+  const Report report =
+      audit_of({sheet(0), zeros, sheet(0.1)}, Mesh(Index(zeros.size()), test::sheet_faces(kFineSquares)));
   EXPECT_FALSE(report.is_free());
   EXPECT_EQ(report.first_bad(), 1u);
   EXPECT_EQ(report.collapsed, 1u);

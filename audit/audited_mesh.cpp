@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "tamis/components.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::audit {
@@ -26,9 +25,9 @@ std::string Objects::name_of(Index object) const {
 AuditedMesh::AuditedMesh(Mesh mesh, Objects objects)
     : mesh_(std::move(mesh)),
       objects_(std::move(objects)),
-      component_of_vertex_(components_of(mesh_).of_vertex),
+      components_(components_of(mesh_)),
       neighbours_(neighbours_of(mesh_)) {
-  if (objects_.of_vertex.empty()) objects_.of_vertex = component_of_vertex_;
+  if (objects_.of_vertex.empty()) objects_.of_vertex = components_.of_vertex;
   require_one_each(mesh_, objects_);
 }
 

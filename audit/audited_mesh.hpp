@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tamis/mesh.hpp"
+#include "tamis/components.hpp"
 
 namespace tamis::audit {
 
@@ -29,15 +29,17 @@ class AuditedMesh {
   Index object_of(Index vertex) const { return objects_.of_vertex[static_cast<std::size_t>(vertex)]; }
   /// Does a path of edges lead from one vertex to the other?
   bool are_connected(Index a, Index b) const {
-    return component_of_vertex_[static_cast<std::size_t>(a)] == component_of_vertex_[static_cast<std::size_t>(b)];
+    const auto component = [&](Index v) { return components_.of_vertex[static_cast<std::size_t>(v)]; };
+    return component(a) == component(b);
   }
+  const Components& components() const { return components_; }
   /// For each vertex, the vertices that an edge joins to it.
   const IndexRows& neighbours() const { return neighbours_; }
 
  private:
   Mesh mesh_;
   Objects objects_;
-  std::vector<Index> component_of_vertex_;
+  Components components_;
   IndexRows neighbours_;
 };
 

@@ -47,6 +47,7 @@ struct FrameAnswer {
   std::string name;
   std::string problem;                         ///< why the frame was not asked about; empty if it was
   std::string note;                            ///< the Frame's note; says also if the topology changes here
+  bool has_collapsed = false;                  ///< objects have collapsed: the note says which (collapsed.hpp)
   bool has_step = false;                       ///< a step that ends here was asked about
   std::array<std::uint64_t, kKinds> counts{};  ///< by Kind
   std::uint64_t neighbours = 0;                ///< of these, pairs one edge apart
@@ -56,7 +57,9 @@ struct FrameAnswer {
 
   std::uint64_t contacts() const { return counts[0] + counts[1] + counts[2] + counts[3]; }
   std::uint64_t intersections() const { return counts[4]; }
-  bool is_free() const { return problem.empty() && contacts() + intersections() == 0; }
+  /// Something was found: a contact, an intersection, or that an object has collapsed.
+  bool is_bad() const { return has_collapsed || contacts() + intersections() > 0; }
+  bool is_free() const { return problem.empty() && !is_bad(); }
 };
 
 /// The answer with the pairs, and the data to show them.

@@ -26,6 +26,13 @@ void add_sentence(std::string& note, const std::string& sentence) {
   if (!sentence.empty()) note += (note.empty() ? "" : "; ") + sentence;
 }
 
+/// Empty if both are.
+std::vector<bool> in_either(std::vector<bool> a, const std::vector<bool>& b) {
+  if (a.empty()) return b;
+  for (std::size_t i = 0; i < b.size(); ++i) a[i] = a[i] || b[i];
+  return a;
+}
+
 void bracket_first(FrameAnswer& answer, std::span<const Contact> contacts) {
   for (const Contact& c : contacts) {
     answer.toi_lower = std::min(answer.toi_lower, c.toi_lower);
@@ -54,7 +61,9 @@ FrameAsker::FrameAsker(const Options& options, int threads, std::function<bool()
 FrameFindings FrameAsker::ask(const FramePointer& before, const FramePointer& frame, std::int64_t number) {
   FrameFindings findings{number, nullptr, frame, {frame->name, problem_of(*frame), frame->note}, {}, {}, {}, {}};
   if (!findings.answer.problem.empty()) return findings;
-  use(frame->mesh);
+  const Collapsed here = collapsed_in_frame(frame);
+  findings.answer.has_collapsed = here.any();
+  if (here.any()) add_sentence(findings.answer.note, here.sentence + ": of that nothing else is asked here");
   if (before && before->mesh && before->mesh != frame->mesh)
     add_sentence(findings.answer.note, "the topology changes here: no step leads to this frame");
   else if (options_.contacts && frame->follows && is_usable(before))
@@ -63,23 +72,42 @@ FrameFindings FrameAsker::ask(const FramePointer& before, const FramePointer& fr
   if (is_first) add_sentence(findings.answer.note, doubt_about_coincidence(frame->mesh->mesh(), frame->positions));
   if (findings.before)
     add_sentence(findings.answer.note, doubt_about_units(findings.before->positions, frame->positions));
+  std::vector<bool> left_out = here.components;
+  if (findings.before) {
+    const Collapsed then = collapsed_in_frame(before);
+    if (then.any()) add_sentence(findings.answer.note, "the step leaves out what has collapsed at its start");
+    left_out = in_either(left_out, then.components);
+  }
+  if (!left_out.empty()) findings.answer.toi_lower = 0;  // nothing is proven of what is left out
+  if (!use(frame->mesh, left_out)) findings.before = nullptr;
   if (findings.before) ask_step(findings);
-  if (options_.intersections) ask_pose(findings);
+  if (options_.intersections && use(frame->mesh, here.components)) ask_pose(findings);
   list(findings);
   return findings;
 }
 
-void FrameAsker::use(const std::shared_ptr<const AuditedMesh>& mesh) {
-  if (mesh == mesh_) return;
+Collapsed FrameAsker::collapsed_in_frame(const FramePointer& frame) const {
+  return collapsed_in(frame->mesh->mesh(), frame->mesh->components(), frame->positions);
+}
+
+bool FrameAsker::use(const std::shared_ptr<const AuditedMesh>& mesh, std::vector<bool> left_out) {
+  if (mesh == mesh_ && left_out == left_out_) return detector_.has_value();
   tamis::Options options;
   options.threads = threads_;
   options.min_separation = options_.min_separation;
   options.is_cancelled = is_cancelled_;
-  rings_.reset();
-  detector_.emplace(mesh->mesh(), std::move(options));
+  detector_.reset();
+  free_frame_ = nullptr;
+  if (left_out.empty())
+    detector_.emplace(mesh->mesh(), std::move(options));
+  else if (const auto rest = without(mesh->mesh(), mesh->components(), left_out))
+    detector_.emplace(*rest, std::move(options));
+  left_out_ = std::move(left_out);
+  if (mesh == mesh_) return detector_.has_value();
   mesh_ = mesh;
   has_point_face_ = std::any_of(mesh->mesh().faces().begin(), mesh->mesh().faces().end(), is_point);
   rings_.emplace(*mesh_, options_.ring_limit);
+  return detector_.has_value();
 }
 
 void FrameAsker::ask_step(FrameFindings& findings) {

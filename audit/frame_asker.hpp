@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "audit/collapsed.hpp"
 #include "audit/findings.hpp"
 #include "audit/options.hpp"
 #include "audit/ring_search.hpp"
@@ -21,7 +22,9 @@ class FrameAsker {
   FrameFindings ask(const FramePointer& before, const FramePointer& frame, std::int64_t number);
 
  private:
-  void use(const std::shared_ptr<const AuditedMesh>& mesh);
+  Collapsed collapsed_in_frame(const FramePointer& frame) const;
+  /// Asks from now on about the mesh without these components. Returns false if nothing is left of it.
+  bool use(const std::shared_ptr<const AuditedMesh>& mesh, std::vector<bool> left_out);
   void ask_step(FrameFindings& findings);
   void ask_pose(FrameFindings& findings);
   void list(FrameFindings& findings);
@@ -31,6 +34,7 @@ class FrameAsker {
   int threads_;
   std::function<bool()> is_cancelled_;
   std::shared_ptr<const AuditedMesh> mesh_;
+  std::vector<bool> left_out_;  ///< components that the detector does not know
   std::optional<Detector> detector_;
   std::optional<RingSearch> rings_;
   bool has_point_face_ = false;  ///< a face that is one vertex

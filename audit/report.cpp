@@ -28,12 +28,13 @@ void require_sound(const Options& options) {
 }
 
 bool Report::is_free() const {
-  return !ended_by && problems == 0 && std::all_of(counts.begin(), counts.end(), [](auto count) { return count == 0; });
+  return !ended_by && problems + collapsed == 0 &&
+         std::all_of(counts.begin(), counts.end(), [](auto count) { return count == 0; });
 }
 
 std::optional<std::size_t> Report::first_bad() const {
-  const auto is_bad = [](const FrameAnswer& frame) { return frame.contacts() + frame.intersections() > 0; };
-  const auto found = std::find_if(frames.begin(), frames.end(), is_bad);
+  const auto found =
+      std::find_if(frames.begin(), frames.end(), [](const FrameAnswer& frame) { return frame.is_bad(); });
   if (found == frames.end()) return std::nullopt;
   return static_cast<std::size_t>(found - frames.begin());
 }
@@ -75,6 +76,7 @@ void ReportBuilder::count(const FrameFindings& findings) {
   report_.steps += findings.answer.has_step ? 1 : 0;
   report_.problems += findings.answer.problem.empty() ? 0 : 1;
   report_.fresh += findings.answer.fresh;
+  report_.collapsed += findings.answer.has_collapsed ? 1 : 0;
   for (std::size_t kind = 0; kind < kKinds; ++kind) report_.counts[kind] += findings.answer.counts[kind];
   for (const Finding& pair : findings.pairs)
     ++(pair.rings == kNotConnected ? report_.by_rings.back()

@@ -28,16 +28,17 @@ struct Report {
   /// connected.
   std::vector<std::uint64_t> by_rings;
   std::array<std::uint64_t, kKinds> counts{};
-  std::uint64_t fresh = 0;     ///< of these, pairs that are new since the frame before
-  std::uint64_t steps = 0;     ///< that were asked about
-  std::uint64_t problems = 0;  ///< frames that could not be asked about
+  std::uint64_t fresh = 0;      ///< of these, pairs that are new since the frame before
+  std::uint64_t steps = 0;      ///< that were asked about
+  std::uint64_t problems = 0;   ///< frames that could not be asked about
+  std::uint64_t collapsed = 0;  ///< frames with objects that have collapsed
   KeptFrames kept;
   /// The exception that ended the audit before the source did; null if there was none.
   std::exception_ptr ended_by;
 
   /// Nothing was found, and all could be asked about.
   bool is_free() const;
-  /// The first frame with an intersection, or at which a step with contacts ends.
+  /// The first frame with an intersection or a collapsed object, or at which a step with contacts ends.
   std::optional<std::size_t> first_bad() const;
   /// The first frame with a pair that is new since the frame before.
   std::optional<std::size_t> first_new() const;

@@ -16,12 +16,10 @@ using audit::Report;
 
 constexpr std::size_t kFramesPrinted = 20;
 
-bool is_bad(const FrameAnswer& frame) { return frame.contacts() + frame.intersections() > 0; }
-
 std::vector<std::size_t> bad_frames(const Report& report) {
   std::vector<std::size_t> bad;
   for (std::size_t i = 0; i < report.frames.size(); ++i)
-    if (is_bad(report.frames[i])) bad.push_back(i);
+    if (report.frames[i].is_bad()) bad.push_back(i);
   return bad;
 }
 
@@ -36,7 +34,7 @@ void print_row(const Report& report, std::size_t i) {
   const FrameAnswer& frame = report.frames[i];
   fmt::print("{:>7} {:<24} {:>13} {:>11} {:>8} {:>10} {:>14}\n", i, printable(frame.name),
              grouped(frame.intersections()), grouped(frame.contacts()), grouped(frame.fresh), grouped(frame.neighbours),
-             frame.contacts() == 0 ? std::string("end") : no_later(frame.toi_lower));
+             frame.contacts() == 0 && frame.toi_lower == 1 ? std::string("end") : no_later(frame.toi_lower));
 }
 
 void print_bad(const Report& report, const std::vector<std::size_t>& bad) {
@@ -78,6 +76,8 @@ void print_found(const Report& report, const std::vector<std::size_t>& bad) {
   fmt::print("intersections   {} in {}\n", grouped(ef), counted(frames, "frame"));
   fmt::print("contacts        {} in {}: {} vertex-face, {} edge-edge{}\n", grouped(vf + ee + ve + vv),
              counted(steps, "step"), grouped(vf), grouped(ee), of_loose_points(ve, vv));
+  if (report.collapsed > 0)
+    fmt::print("collapsed       objects in {}: the notes say which\n", counted(report.collapsed, "frame"));
   print_rings(report);
   fmt::print("first bad       frame {}, {}\n", bad.front(), printable(report.frames[bad.front()].name));
   print_new(report);
@@ -89,7 +89,8 @@ Json json_of_frame(const FrameAnswer& frame, std::size_t number) {
       {"vf", frame.counts[0]}, {"ee", frame.counts[1]}, {"ve", frame.counts[2]}, {"vv", frame.counts[3]}};
   json["neighbours"] = frame.neighbours;
   json["new"] = frame.fresh;
-  add_bracket(json, frame.contacts() == 0, frame.toi_lower, frame.toi_upper);
+  json["collapsed"] = frame.has_collapsed;
+  add_bracket(json, frame.contacts() == 0 && frame.toi_lower == 1, frame.toi_lower, frame.toi_upper);
   return json;
 }
 

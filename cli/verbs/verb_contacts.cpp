@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/answers.hpp"
+#include "cli/collapse_check.hpp"
 #include "cli/command_line/printable.hpp"
 #include "cli/verbs/contacts.hpp"
 
@@ -19,6 +20,10 @@ void Contacts::declare(OptionList& options) {
 int Contacts::run() {
   output_.require({start_, end_}, 1, json_);
   StepFiles files = read();
+  CollapseCheck collapse;
+  collapse.look(start_, files.mesh, files.start);
+  collapse.look(end_, files.mesh, files.end);
+  if (!collapse.passes()) return collapse.refuse(json_);
   Detector detector = detector_for(std::move(files.mesh));
   const Step step = files.step();
   if (!start_check_.passes(detector, step.start)) return start_check_.refuse(detector, json_, Json::object());

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "cli/answers.hpp"
+#include "cli/collapse_check.hpp"
 #include "cli/start_check.hpp"
 #include "cli/verbs/step_verb.hpp"
 
@@ -25,6 +26,10 @@ class Earliest final : public StepVerb {
 
   int run() override {
     StepFiles files = read();
+    CollapseCheck collapse;
+    collapse.look(StepVerb::start_, files.mesh, files.start);
+    collapse.look(StepVerb::end_, files.mesh, files.end);
+    if (!collapse.passes()) return collapse.refuse(json_);
     Detector detector = detector_for(std::move(files.mesh));
     const Step step = files.step();
     if (!start_.passes(detector, step.start)) return start_.refuse(detector, json_, Json::object());

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "cli/collapse_check.hpp"
 #include "cli/command_line/printable.hpp"
 #include "cli/look_output.hpp"
 #include "cli/report.hpp"
@@ -12,6 +13,8 @@
 
 namespace tamis::cli {
 namespace {
+
+constexpr std::uint64_t kMostListed = 1'000'000'000'000;
 
 /// With the point along the edge where they first meet, and its weights on the face.
 Json json_of(const Intersection& i) {
@@ -32,13 +35,19 @@ class IntersectionsVerb final : public PoseVerb {
   void declare(OptionList& options) override {
     PoseVerb::declare(options);
     output_.declare(options);
+    options.add_number("--limit", "N", limit_, NumberRange<std::uint64_t>{0, kMostListed},
+                       "list no more than N intersections in JSON; all are counted; default 100000");
   }
 
   int run() override {
     output_.require({path_}, 0, json_);
     io::MeshFile file = read();
     const std::vector<Point> positions = file.positions;
-    Detector detector = detector_for(io::mesh_of(std::move(file)));
+    Mesh mesh = io::mesh_of(std::move(file));
+    CollapseCheck collapse;
+    collapse.look(path_, mesh, positions);
+    if (!collapse.passes()) return collapse.refuse(json_);
+    Detector detector = detector_for(std::move(mesh));
     const std::vector<Intersection>* found = nullptr;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { found = &detector.intersections(positions); });
     output_.write(recording_of(detector, path_, positions, *found));
@@ -51,7 +60,9 @@ class IntersectionsVerb final : public PoseVerb {
   void report(const std::vector<Intersection>& found, const Detector& detector, const Timing& timing) const {
     if (json_) {
       Json json{{"intersections", found.size()}, {"pairs", Json::array()}};
-      for (const Intersection& i : found) json["pairs"].push_back(json_of(i));
+      const std::size_t listed = std::min<std::size_t>(found.size(), limit_);
+      for (std::size_t i = 0; i < listed; ++i) json["pairs"].push_back(json_of(found[i]));
+      json["pairs_left_out"] = found.size() - listed;
       add_costs(json, detector, timing);
       return print_json(json);
     }
@@ -80,6 +91,7 @@ class IntersectionsVerb final : public PoseVerb {
                  grouped(found.size() - kPrinted));
   }
 
+  std::uint64_t limit_ = 100'000;
   LookOutput output_{"", io::NoExtension::is_first_format, Shown::pose};
 };
 

@@ -69,7 +69,8 @@ std::array<double, 4> weights_of(PairKind kind, double u, double v);
 
 /// Answer to "how far may the step go?".
 struct EarliestContact {
-  /// The motion is free on [0, toi_lower): proven. 1, and no contact, if the whole step is free. 0 only if a pair
+  /// The motion is free on [0, toi_lower): proven. Where very many pairs touch at one time, up to 2^-37 of it before
+  /// the contact's own toi_lower. 1, and no contact, if the whole step is free. 0 only if a pair
   /// touches at t=0 (and is not ignored), or if one touches (toi_upper > 0) sooner than at any positive double. This is
   /// a time, not a position: start + toi_lower (end - start), rounded to doubles, may touch. Detector::truncate returns
   /// positions to go to.

@@ -88,7 +88,7 @@ class PartDecision {
     if (!fault_of(pair, part_.step).empty()) return false;
     PrecisionCount decided_by;
     const PairPoints points = points_of(part_.step, vertices_in_use(kind, pair.vertices));
-    results_[place] = decide({kind, points, part_.options.min_separation}, decided_by, part_.options.latest);
+    results_[place] = decide({kind, points, part_.options.min_separation}, decided_by, {part_.options.latest});
     return true;
   }
 

@@ -32,7 +32,7 @@ PairResult decide_points(PairKind kind, std::span<const Point> start, std::span<
   std::copy(start.begin(), start.end(), points.start.begin());
   std::copy(end.begin(), end.end(), points.end.begin());
   PrecisionCount decided_by;
-  return decide({kind, points, options.min_separation}, decided_by, options.latest);
+  return decide({kind, points, options.min_separation}, decided_by, {options.latest});
 }
 
 PairResult decide_curves(PairKind kind, const Path& callers, const PairVertices& vertices, const PairOptions& options) {

@@ -26,7 +26,7 @@ using End = std::optional<TimeInterval<double>>;
 
 End end_by_contact(const Pair& pair, const PairPoints& points, const PairOptions& options) {
   PrecisionCount decided_by;
-  const PairResult r = decide({pair.kind, points, options.min_separation}, decided_by, options.latest);
+  const PairResult r = decide({pair.kind, points, options.min_separation}, decided_by, {options.latest});
   if (!r.touches) return {};
   return TimeInterval<double>{r.toi_lower, r.toi_upper};
 }

@@ -116,10 +116,10 @@ void add_times(const MovingPolygon& polygon, double separation, TouchingTimes& t
 
 }  // namespace
 
-Decision decide_exactly(PairKind kind, const PairPoints& points, double separation) {
-  TAMIS_ASSERT(separation >= 0 && std::isfinite(separation) && is_finite(points));
+Decision decide_exactly(PairKind kind, const PairPoints& points, double separation, double latest) {
+  TAMIS_ASSERT(separation >= 0 && std::isfinite(separation) && is_finite(points) && 0 <= latest && latest <= 1);
   if (starts_within(kind, points, separation)) return {Verdict::touches, 0, 0};
-  TouchingTimes times(TouchingTimes::Wanted::first);
+  TouchingTimes times(TouchingTimes::Wanted::first, latest);
   add_times(polygon_for(kind, points, separation), separation, times);
   return times.first();
 }

@@ -8,8 +8,9 @@ namespace tamis {
 
 /// Finds the first t in [0,1] at which the distance of the two closed features is at most `separation`; if that is
 /// zero, at which they share a point. All degeneracies are decided: the answer is never unsure, and the ends of its
-/// bracket are equal, or neighbouring doubles. REQUIRES: finite coordinates, a finite separation >= 0.
-Decision decide_exactly(PairKind kind, const PairPoints& points, double separation = 0);
+/// bracket are equal, or neighbouring doubles. A pair that is free until `latest` may be said to be free. REQUIRES:
+/// finite coordinates, a finite separation >= 0, `latest` in [0,1].
+Decision decide_exactly(PairKind kind, const PairPoints& points, double separation = 0, double latest = 1);
 
 /// Recontact: the same, but a pair that touches at t=0 counts only from when it touches again after it has come apart.
 Decision decide_recontact_exactly(PairKind kind, const PairPoints& points, double separation = 0);

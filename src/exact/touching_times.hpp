@@ -13,7 +13,8 @@ namespace tamis {
 class TouchingTimes {
  public:
   enum class Wanted { first, recontact };
-  explicit TouchingTimes(Wanted wanted) : wanted_(wanted) {}
+  /// Times after `latest`, in [0,1], may be left out.
+  explicit TouchingTimes(Wanted wanted, double latest = 1) : wanted_(wanted), latest_(latest) {}
 
   /// Adds the roots of `p` in [0,1] for which `holds(time)`, each a time of touching; where only the first time of all
   /// is wanted, the first such root. Of a polynomial that is always zero adds none: it begins and ends nothing.
@@ -21,6 +22,7 @@ class TouchingTimes {
   void add_roots(const IntegerPolynomial& p, const Condition& holds) {
     if (p.is_zero()) return;
     for (AlgebraicTime& time : roots_in_unit_interval(p, latest_)) {
+      if (latest_ < 1 && time.bracket().t_in > latest_) return;
       if (!holds(time)) continue;
       times_.push_back(std::move(time));
       if (wanted_ == Wanted::recontact) continue;
@@ -63,7 +65,7 @@ class TouchingTimes {
   }
 
   Wanted wanted_;
-  double latest_ = 1;  ///< roots after it are not wanted
+  double latest_;  ///< roots after it are not wanted
   std::vector<AlgebraicTime> times_;
 };
 

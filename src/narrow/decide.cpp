@@ -1,5 +1,6 @@
 #include "narrow/decide.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "distance/turning_gap.hpp"
@@ -46,6 +47,28 @@ std::optional<Decision> decide_by_doubles(const PairInStep& pair, const TimeInte
   return stays_apart(pair, clip) ? std::optional(Decision{}) : std::nullopt;
 }
 
+/// The same of features that come closer all the time, and turn ever faster: parts of the time become shorter.
+bool stays_apart_closing_in(const PairInStep& pair, TimeInterval<double> time) {
+  constexpr int kMostParts = 12;
+  constexpr double kPart = 0.875;
+  if (!is_finite(pair.motion)) return false;
+  return with_kind(pair.kind, [&](auto kind) {
+    const TurningGap<kind(), double> gap(pair.motion);
+    for (int i = 0; i < kMostParts; ++i) {
+      if (gap.stays_apart(time, 1)) return true;
+      const double cut = time.t_in + kPart * (time.t_out - time.t_in);
+      if (!gap.stays_apart({time.t_in, cut}, kTurningGapParts)) return false;
+      time.t_in = cut;
+    }
+    return false;
+  });
+}
+
+/// Is the answer of integers not needed?
+bool is_needless(const PairInStep& pair, const TimeInterval<double>& clip, double needed_until) {
+  return needed_until < 1 && (clip.t_in > needed_until || stays_apart_closing_in(pair, {clip.t_in, needed_until}));
+}
+
 PairResult described(const PairInStep& pair, const Decision& decision) {
   if (decision.is_free()) return {};
   PairResult result;
@@ -57,7 +80,8 @@ PairResult described(const PairInStep& pair, const Decision& decision) {
 }
 
 /// Decides a pair that decided_by_crossings() does not.
-PairResult decide_further(const PairInStep& pair, PrecisionCount& decided_by, double latest) {
+PairResult decide_further(const PairInStep& pair, PrecisionCount& decided_by, const OfInterest& times) {
+  const double latest = times.latest;
   if (const auto in_plane = decided_in_plane(pair)) {
     ++decided_by.scalar;
     return in_plane->toi_lower > latest ? PairResult{} : *in_plane;
@@ -65,19 +89,21 @@ PairResult decide_further(const PairInStep& pair, PrecisionCount& decided_by, do
   const auto clip = clipped(pair.kind, pair.motion, kWholeStep);
   auto decision = is_proven_free(clip, latest) ? Decision{} : decide_by_doubles(pair, clip);
   if (decision && !is_sharp_answer(*decision)) decision = decide_finely(pair, *decision);
+  if (!decision && is_needless(pair, clip, times.needed_until)) decision = Decision{};
   ++(decision ? decided_by.scalar : decided_by.exact);
-  if (!decision) decision = decide_exactly(pair.kind, pair.points, pair.separation);
-  return decision->lower > latest ? PairResult{} : described(pair, *decision);
+  const double until = decision ? latest : std::min(latest, times.needed_until);
+  if (!decision) decision = decide_exactly(pair.kind, pair.points, pair.separation, until);
+  return decision->lower > until ? PairResult{} : described(pair, *decision);
 }
 
 }  // namespace
 
-PairResult decide(const PairInStep& pair, PrecisionCount& decided_by, double latest) {
-  TAMIS_ASSERT(0 <= latest && latest <= 1);
-  const auto decided = decided_by_crossings(pair, latest);
-  if (!decided) return decide_further(pair, decided_by, latest);
+PairResult decide(const PairInStep& pair, PrecisionCount& decided_by, const OfInterest& times) {
+  TAMIS_ASSERT(0 <= times.latest && times.latest <= 1);
+  const auto decided = decided_by_crossings(pair, times.latest);
+  if (!decided) return decide_further(pair, decided_by, times);
   ++decided_by.scalar;
-  return decided->toi_lower > latest ? PairResult{} : *decided;
+  return decided->toi_lower > times.latest ? PairResult{} : *decided;
 }
 
 PairResult decide_recontact(const PairInStep& pair, PrecisionCount& decided_by) {

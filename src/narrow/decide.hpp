@@ -8,9 +8,15 @@
 
 namespace tamis {
 
-/// What the pair does during the step. Counts in `decided_by` which arithmetic had the last word. `latest`, in [0,1]:
-/// as in PairOptions.
-PairResult decide(const PairInStep& pair, PrecisionCount& decided_by, double latest = 1);
+/// Which contacts matter, times in [0,1].
+struct OfInterest {
+  double latest = 1;  ///< as in PairOptions
+  /// A pair that only integers can decide counts as free if it is free until then.
+  double needed_until = 1;
+};
+
+/// What the pair does during the step. Counts in `decided_by` which arithmetic had the last word.
+PairResult decide(const PairInStep& pair, PrecisionCount& decided_by, const OfInterest& times = {});
 
 /// Recontact: does a pair that touches at t=0 touch again, after it has come apart? REQUIRES (not checked: exact): it
 /// touches at t=0.

@@ -9,6 +9,7 @@
 #include "narrow/clipped_crossing.hpp"
 #include "narrow/decisions.hpp"
 #include "narrow/first_within.hpp"
+#include "narrow/flat_root.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
@@ -47,6 +48,7 @@ double cut_at(const Coplanarity& points, const TimeInterval<double>& part) {
 /// holds one certified crossing, or is too short to be decided in this arithmetic.
 template <PairKind kind>
 Decision subdivide(const PairMotion<double>& m, const TimeInterval<double>& time) {
+  if (comes_to_flat_root<kind>(m, time)) return {Verdict::unsure, time.t_in, time.t_out};
   Decision decision;
   std::vector<TimeInterval<double>> parts{time};  // still to be looked at, the earliest last
   int coplanar_parts = 0;

@@ -1,12 +1,18 @@
 // When the bracket of a contact is narrow enough.
 #pragma once
+#include <algorithm>
+
 #include "numerics/select.hpp"
 
 namespace tamis {
 
-/// `earliest` looks at every contact that starts up to this factor after the end of another contact: sharp brackets are
-/// narrower, so that rounding cannot hide which of two contacts is first.
-inline constexpr double kNearTie = 1 + 0x1p-16;
+/// `earliest` looks at every contact that starts up to this factor, and up to kNearTieTime, after the end of another
+/// contact. Sharp brackets are narrower, so that rounding cannot hide which of two contacts is first.
+inline constexpr double kNearTie = 1 + 0x1p-16, kNearTieTime = 2e-11;
+
+/// The latest time of interest after a contact that ends so. The bracket of a pair that touches later begins after
+/// `toi_upper` by more than 2^-37 of it (FirstContact).
+inline double near_tie(double toi_upper) { return std::min(toi_upper * kNearTie, toi_upper + kNearTieTime); }
 
 /// Is this bracket of a certified contact good enough? It must be narrower than 1e-11, and than a twentieth of what
 /// kNearTie adds, so that a pair that touches so much later has a bracket that begins later. Wider brackets, and those

@@ -13,35 +13,12 @@
 
 namespace tamis {
 
-namespace {
-
-std::vector<Contact> contacts_of(const std::vector<EarliestContact>& firsts) {
-  std::vector<Contact> contacts;
-  for (const EarliestContact& first : firsts)
-    if (first.contact) contacts.push_back(*first.contact);
-  return contacts;
-}
-
-}  // namespace
-
-bool comes_before(const Contact& a, const Contact& b) {
-  return std::tie(a.kind, a.vertices, a.toi_lower, a.toi_upper) <
-         std::tie(b.kind, b.vertices, b.toi_lower, b.toi_upper);
-}
-
-void keep_first(EarliestContact& first, const Contact& contact) {
-  if (contact.certainty == Certainty::certified) first.toi_upper = std::min(first.toi_upper, contact.toi_upper);
-  const bool is_first = !first.contact || contact.toi_lower < first.toi_lower ||
-                        (contact.toi_lower == first.toi_lower && comes_before(contact, *first.contact));
-  if (!is_first) return;
-  first.toi_lower = contact.toi_lower;
-  first.contact = contact;
-}
-
 void keep_firsts(const Query& query, std::vector<Contact>& contacts) {
   std::vector<EarliestContact> firsts(query.answers());
   for (const Contact& contact : contacts) keep_first(firsts[query.answer_of(contact.kind, contact.vertices)], contact);
-  contacts = contacts_of(firsts);
+  contacts.clear();
+  for (const EarliestContact& first : firsts)
+    if (first.contact) contacts.push_back(*first.contact);
 }
 
 void ContactCollector::begin(const Query& query, Bound& bound) {
@@ -71,11 +48,11 @@ bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const Pa
   if (question == Question::earliest) {
     const std::size_t answer = query_->answer_of(kind, vertices);
     if (result.toi_lower > bound_->latest(answer)) return false;
-    bound_->lower(result.toi_upper * kNearTie, answer);
+    bound_->lower(near_tie(result.toi_upper), answer);
   }
   touched_by_ = std::min(touched_by_, result.toi_upper);
-  if (question == Question::earliest && by == DecidedBy::singly) {
-    keep_first(contact_of(kind, vertices, result));
+  if (question == Question::earliest && by != DecidedBy::lanes) {
+    keep_first(contact_of(kind, vertices, result), by);
     return true;
   }
   contacts_.push_back(contact_of(kind, vertices, result));
@@ -95,7 +72,7 @@ bool ContactCollector::wants(PairKind kind, const PairVertices& vertices, double
   const std::size_t answer = query_->answer_of(kind, vertices);
   if (from > bound_->latest(answer)) return false;
   if (!touches_at_start(answer)) return true;
-  const Contact& first = *first_[answer].contact;
+  const Contact& first = *first_[answer].earliest().contact;
   return std::tie(kind, vertices) < std::tie(first.kind, first.vertices);
 }
 
@@ -114,22 +91,20 @@ void ContactCollector::take(ContactCollector& other) {
 }
 
 void ContactCollector::learn(const ContactCollector& other) {
-  for (std::size_t answer = 0; answer < first_.size(); ++answer) {
-    const EarliestContact& known = other.first_[answer];
-    if (!known.contact) continue;
-    first_[answer].toi_upper = std::min(first_[answer].toi_upper, known.toi_upper);
-    keep_first(*known.contact);
-  }
+  for (std::size_t answer = 0; answer < first_.size(); ++answer) first_[answer].add(other.first_[answer]);
 }
 
 EarliestContact ContactCollector::first() {
   reduce_to_first();
-  return first_.front();
+  return first_.front().answer();
 }
 
 std::vector<Contact> ContactCollector::firsts() {
   reduce_to_first();
-  return contacts_of(first_);
+  std::vector<Contact> contacts;
+  for (const FirstContact& of_answer : first_)
+    if (const EarliestContact first = of_answer.answer(); first.contact) contacts.push_back(*first.contact);
+  return contacts;
 }
 
 /// Contacts found in lanes are decided again on the whole step: their last bits depend on how much of the step the
@@ -139,16 +114,20 @@ void ContactCollector::reduce_to_first() {
     if (!wants(c.kind, c.vertices, c.toi_lower)) continue;
     stop_if_cancelled(*query_);
     const double separation = query_->separations.between(c.kind, c.vertices);
-    const PairResult result = decide({c.kind, points_of(query_->step, c.vertices), separation}, decided_by_);
-    keep_first(contact_of(c.kind, c.vertices, as_counted(c.kind, c.vertices, result)));
+    const PairPoints points = points_of(query_->step, c.vertices);
+    const std::uint64_t by_integers = decided_by_.exact;
+    const PairResult result = decide({c.kind, points, separation}, decided_by_, of_interest(c.kind, c.vertices));
+    const DecidedBy by = decided_by_.exact > by_integers ? DecidedBy::integers : DecidedBy::doubles;
+    const PairResult counted = result.touches ? as_counted(c.kind, c.vertices, result) : result;
+    if (counted.touches) keep_first(contact_of(c.kind, c.vertices, counted), by);
   }
   contacts_.clear();
 }
 
-void ContactCollector::keep_first(const Contact& decided) {
+void ContactCollector::keep_first(const Contact& decided, DecidedBy by) {
   const std::size_t answer = query_->answer_of(decided.kind, decided.vertices);
-  tamis::keep_first(first_[answer], decided);
-  bound_->lower(decided.toi_upper * kNearTie, answer);
+  first_[answer].add(decided, by == DecidedBy::integers);
+  bound_->lower(near_tie(decided.toi_upper), answer);
 }
 
 }  // namespace tamis

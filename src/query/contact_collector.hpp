@@ -3,16 +3,14 @@
 #pragma once
 #include <vector>
 
+#include "narrow/decide.hpp"
 #include "numerics/held_bytes.hpp"
 #include "query/bound.hpp"
-#include "query/pair_vertices.hpp"
+#include "query/first_contact.hpp"
 #include "query/query.hpp"
 #include "tamis/statistics.hpp"
 
 namespace tamis {
-
-/// By kind, then vertices; duplicate features leave equal keys, so the time comes last.
-bool comes_before(const Contact& a, const Contact& b);
 
 /// REQUIRES: a pair that touches.
 inline Contact contact_of(PairKind kind, const PairVertices& vertices, const PairResult& r) {
@@ -20,14 +18,11 @@ inline Contact contact_of(PairKind kind, const PairVertices& vertices, const Pai
   return {kind, r.certainty, vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal};
 }
 
-/// Updates `first` by a contact: the earliest toi_lower with its contact, and the earliest certain toi_upper.
-void keep_first(EarliestContact& first, const Contact& contact);
-
 /// Leaves the first contact of each of the query's answers, in no order.
 void keep_firsts(const Query& query, std::vector<Contact>& contacts);
 
-/// How a pair was decided. singly: by decide() on the whole step, or with its bits.
-enum class DecidedBy { lanes, singly };
+/// How a pair was decided: in lanes on a part of the step, or by decide() on the whole step, or with its bits.
+enum class DecidedBy { lanes, doubles, integers };
 
 /// One per thread, and one for the answer. The answer does not depend on the order of contacts, nor on which thread
 /// adds which.
@@ -53,6 +48,12 @@ class ContactCollector {
   double latest(PairKind kind, const PairVertices& vertices) const {
     return bound_->latest(query_->answer_of(kind, vertices));
   }
+  /// earliest: until when this pair is of interest. REQUIRES: a pair that is wanted.
+  OfInterest of_interest(PairKind kind, const PairVertices& vertices) const {
+    const std::size_t answer = query_->answer_of(kind, vertices);
+    const double latest = bound_->latest(answer);
+    return {latest, first_[answer].needed_until(kind, vertices, latest)};
+  }
   /// Takes what `other` has collected, which then is empty.
   void take(ContactCollector& other);
   /// Takes over what `other` knows of the first contact, which spares pairs here.
@@ -75,7 +76,7 @@ class ContactCollector {
   std::uint64_t ignored() const { return ignored_; }
   /// Restarts the count: the same pairs will be decided again.
   void count_ignored_anew() { ignored_ = 0; }
-  std::uint64_t memory_bytes() const { return held_bytes(contacts_, first_); }
+  std::uint64_t memory_bytes() const { return held_bytes(contacts_) + first_.capacity() * sizeof(FirstContact); }
 
  private:
   /// `earliest` collects at most so many contacts before it reduces them to the first one. A contact at t=0 is reduced
@@ -85,14 +86,17 @@ class ContactCollector {
   /// The contact that counts for the query: the result, or where contacts at the start are ignored, its recontact.
   PairResult as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result);
   void reduce_to_first();
-  void keep_first(const Contact& decided);
+  void keep_first(const Contact& decided, DecidedBy by);
   /// Does a known pair of this answer touch at t=0?
-  bool touches_at_start(std::size_t answer) const { return first_[answer].contact && first_[answer].toi_upper == 0; }
+  bool touches_at_start(std::size_t answer) const {
+    const EarliestContact& first = first_[answer].earliest();
+    return first.contact && first.toi_upper == 0;
+  }
 
   const Query* query_ = nullptr;
   Bound* bound_ = nullptr;
-  std::vector<Contact> contacts_;       ///< earliest: those not yet decided singly
-  std::vector<EarliestContact> first_;  ///< for each answer the first of those decided singly
+  std::vector<Contact> contacts_;    ///< earliest: those not yet decided singly
+  std::vector<FirstContact> first_;  ///< for each answer the first of those decided singly
   double touched_by_ = 1;
   PrecisionCount decided_by_;
   std::uint64_t ignored_ = 0;

@@ -43,7 +43,7 @@ void ContactConsumer::decide_as_list(PairKind kind) {
   for (const int pair : left) results[static_cast<std::size_t>(pair)] = {};
   decide_left(kind, left);
   for (int i = 0; i < pairs.count; ++i)
-    found_.add(kind, vertices_of(kind, pairs, i), results[static_cast<std::size_t>(i)], DecidedBy::singly);
+    found_.add(kind, vertices_of(kind, pairs, i), results[static_cast<std::size_t>(i)], DecidedBy::doubles);
 }
 
 void ContactConsumer::leave_out_unwanted(PairKind kind) {
@@ -68,7 +68,7 @@ void ContactConsumer::add(PairKind kind, const PairVertices& vertices, PairResul
     if (!found_.wants(kind, vertices)) return;
     set_place(result, exact_closest_place(kind, points_of(query().step, vertices), result.toi_lower));
   }
-  found_.add(kind, vertices, result, query().depends_on_pair_alone ? DecidedBy::singly : DecidedBy::lanes);
+  found_.add(kind, vertices, result, query().depends_on_pair_alone ? DecidedBy::doubles : DecidedBy::lanes);
 }
 
 void ContactConsumer::decide_left(PairKind kind, std::span<const int> places) {
@@ -76,15 +76,20 @@ void ContactConsumer::decide_left(PairKind kind, std::span<const int> places) {
   const auto wants_it = [&, &pairs = thread().filtered](int place) {
     return found_.wants(kind, vertices_at(place), pairs.t_in[place]);
   };
+  const bool is_earliest = query().question == Question::earliest;
   const auto decided = [&](int place, PrecisionCount& counts) {
     stop_if_cancelled(query());
     const PairVertices vertices = vertices_at(place);
     const double separation = query().separations.between(kind, vertices);
-    return decide({kind, points_of(query().step, vertices), separation}, counts);
+    OfInterest times;
+    if (is_earliest) times = found_.of_interest(kind, vertices);
+    return decide({kind, points_of(query().step, vertices), separation}, counts, times);
   };
-  decide_singly(
-      thread(), places, query().question == Question::all_contacts, wants_it, decided,
-      [&](int place, const PairResult& result) { found_.add(kind, vertices_at(place), result, DecidedBy::singly); });
+  decide_singly(thread(), places, query().question == Question::all_contacts, wants_it, decided,
+                [&](int place, const DecidedPair& pair) {
+                  found_.add(kind, vertices_at(place), pair.result,
+                             pair.by_integers ? DecidedBy::integers : DecidedBy::doubles);
+                });
 }
 
 }  // namespace tamis

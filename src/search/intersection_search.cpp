@@ -60,7 +60,7 @@ void IntersectionConsumer::decide_left(std::span<const int> pairs) {
   };
   decide_singly(
       thread(), pairs, query().question != Question::is_free, [&](int) { return wants(kEdgeRunner); }, decided,
-      [&](int pair, const PairResult& result) { add(pair, result); });
+      [&](int pair, const DecidedPair& decided_pair) { add(pair, decided_pair.result); });
 }
 
 void IntersectionSearch::find(const Query& query, std::vector<Intersection>& found, Statistics& statistics) {

@@ -1,5 +1,6 @@
 // The stages in lanes over one buffer of pairs, and how their results are read.
 #pragma once
+#include <algorithm>
 #include <span>
 
 #include "numerics/in_parts.hpp"
@@ -38,30 +39,33 @@ std::span<const int> add_solved(SearchThread& thread, int count, const Add& add)
   return thread.undecided;
 }
 
-/// Calls add(place, decide(place, counts)) for the pairs at these places of thread.filtered. If `all` are wanted,
-/// threads that have nothing else to do share them, as a pair takes a microsecond or a hundred; else a decided pair may
-/// spare the next ones: only those that wants(place) then are decided.
+/// Calls add(place, DecidedPair) for the pairs at these places of thread.filtered that wants(place), each decided by
+/// decide(place, counts). Threads that have nothing else to do share them, as a pair takes a microsecond or a hundred.
+/// If not `all` are wanted, a decided pair may spare the next ones: first one pair is decided, then two, and so on.
 template <class Wants, class Decide, class Add>
 void decide_singly(SearchThread& thread, std::span<const int> places, bool all, const Wants& wants,
                    const Decide& decide, const Add& add) {
-  if (!all) {
-    for (const int place : places)
-      if (wants(place)) add(place, decide(place, thread.counts.decided_by));
-    return;
-  }
-  if (places.empty()) return;
   constexpr std::size_t kGrain = 16;
-  thread.decided.resize(places.size());
   const auto decide_part = [&](std::size_t begin, std::size_t end) {
     PrecisionCount counts;
-    for (; begin != end; ++begin) thread.decided[begin] = decide(places[begin], counts);
+    for (; begin != end; ++begin) {
+      const std::uint64_t by_integers = counts.exact;
+      const PairResult result = wants(places[begin]) ? decide(places[begin], counts) : PairResult{};
+      thread.decided[begin] = {result, counts.exact > by_integers};
+    }
     return counts;
   };
-  isolated([&] {  // a thread that waits here must not begin another part of the search, which would use its buffers
-    const auto sum = [](PrecisionCount a, const PrecisionCount& b) { return a += b; };
-    thread.counts.decided_by += joined_parts(places.size(), kGrain, PrecisionCount(), sum, decide_part);
-  });
-  for (std::size_t i = 0; i < places.size(); ++i) add(places[i], thread.decided[i]);
+  thread.decided.resize(places.size());
+  for (std::size_t begin = 0, count = all ? places.size() : 1; begin < places.size(); begin += count, count *= 2) {
+    const std::size_t end = std::min(begin + count, places.size());
+    isolated([&] {  // a thread that waits here must not begin another part of the search, which would use its buffers
+      const auto sum = [](PrecisionCount a, const PrecisionCount& b) { return a += b; };
+      thread.counts.decided_by += joined_parts(end - begin, kGrain, PrecisionCount(), sum, [&](auto from, auto until) {
+        return decide_part(begin + from, begin + until);
+      });
+    });
+    for (std::size_t i = begin; i < end; ++i) add(places[i], thread.decided[i]);
+  }
 }
 
 }  // namespace tamis

@@ -11,6 +11,12 @@
 
 namespace tamis {
 
+/// A pair decided by decide().
+struct DecidedPair {
+  PairResult result;
+  bool by_integers = false;
+};
+
 /// One thread's part of a search.
 struct SearchThread {
   SearchThread(const Kernels& k, const PackedMotion& m) : kernels(k), motion(m) {}
@@ -36,8 +42,8 @@ struct SearchThread {
   PairBuffer clipped, filtered;  ///< what stages leave
   std::unique_ptr<SolvedPair[]> solved;
   std::unique_ptr<WithinScratch> within;
-  std::vector<int> undecided;       ///< places in `filtered` that lanes leave undecided
-  std::vector<PairResult> decided;  ///< the results of these pairs
+  std::vector<int> undecided;        ///< places in `filtered` that lanes leave undecided
+  std::vector<DecidedPair> decided;  ///< of these pairs
   SearchCounts counts;
   Stopwatch watch;  ///< runs since seconds were last added to the counts
 };

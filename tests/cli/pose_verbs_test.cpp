@@ -70,6 +70,37 @@ TEST_F(PoseVerbs, IntersectionsAreListed) {
   const auto json = folder_.run("intersections spikes.obj --json").json();
   ASSERT_EQ(json["pairs"].size(), 23u);
   EXPECT_EQ(json["pairs"][22]["edge"], (std::vector<int>{47, 48}));
+  const auto some = folder_.run("intersections spikes.obj --json --limit 5").json();
+  EXPECT_EQ(some["intersections"], 23);
+  EXPECT_EQ(some["pairs"].size(), 5u);
+  EXPECT_EQ(some["pairs_left_out"], 18);
+}
+
+// Bug: of a frame that was never written all pairs are listed, minutes and gigabytes.
+TEST_F(PoseVerbs, AMeshAtOnePointIsOneFact) {
+  std::string sheet, zeros, faces;
+  for (int i = 0; i < 40; ++i)
+    for (int j = 0; j < 40; ++j) {
+      sheet += "v " + std::to_string(i) + " " + std::to_string(j) + " 0\n";
+      zeros += "v 0 0 0\n";
+      const auto a = std::to_string(40 * i + j + 1), b = std::to_string(40 * i + j + 2),
+                 c = std::to_string(40 * i + j + 41);
+      if (i < 39 && j < 39) faces += "f " + a + " " + b + " " + c + "\n";
+    }
+  folder_.write("sheet.obj", sheet + faces);
+  folder_.write("zeros.obj", zeros + faces);
+  for (const char* question :
+       {"intersections zeros.obj", "contacts sheet.obj zeros.obj", "earliest zeros.obj sheet.obj"}) {
+    const Outcome outcome = folder_.run(question);
+    EXPECT_EQ(outcome.code, 1) << outcome.err;
+    EXPECT_NE(outcome.out.find("zeros.obj: all vertices lie at one point"), std::string::npos) << outcome.out;
+    EXPECT_EQ(folder_.run(std::string(question) + " --json").json()["free"], false);
+  }
+  EXPECT_EQ(folder_.run("is-free sheet.obj zeros.obj").code, 1);
+  const Outcome audit = folder_.run("audit sheet.obj zeros.obj sheet.obj --json");
+  EXPECT_EQ(audit.code, 1) << audit.err;
+  EXPECT_EQ(audit.json()["first_bad"]["frame"], 1);
+  EXPECT_EQ(audit.json()["first_bad"]["collapsed"], true);
 }
 
 // Bug: what cannot be asked is answered.

@@ -62,7 +62,7 @@ TEST_F(Collectors, WhatIsDecidedIsNotDecidedAgain) {
   for (const PairVertices& vertices : {kLate, kEarly})
     one.add(kKind, vertices,
             decide({kKind, points_of(query->step, vertices), query->separations.between(kKind, vertices)}, count),
-            DecidedBy::singly);
+            DecidedBy::doubles);
   EXPECT_EQ(one.first().contact->vertices, kEarly);
   EXPECT_EQ(one.decided_by().scalar + one.decided_by().exact, 0u);
   EXPECT_LT(bound.latest(), 0.2501);

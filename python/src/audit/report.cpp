@@ -44,7 +44,8 @@ FrameRow row_of(const audit::FrameAnswer& answer, std::size_t frame) {
           answer.neighbours,
           answer.fresh,
           answer.toi_lower,
-          answer.toi_upper};
+          answer.toi_upper,
+          answer.has_collapsed};
 }
 
 nb::dict as_dict(const audit::Report& report) {
@@ -85,6 +86,7 @@ void bind_report_layouts(nb::module_& module) {
         .field("new", &FrameRow::fresh)
         .field("toi_lower", &FrameRow::toi_lower)
         .field("toi_upper", &FrameRow::toi_upper)
+        .field("has_collapsed", &FrameRow::has_collapsed)
         .dict();
   });
 }

@@ -16,6 +16,7 @@ struct FrameRow {
   std::uint64_t fresh;
   double toi_lower;
   double toi_upper;
+  bool has_collapsed;
 };
 
 nanobind::dict as_dict(const audit::Report& report);

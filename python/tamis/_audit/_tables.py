@@ -191,6 +191,8 @@ class AuditFrame(NamedTuple):
         The number of intersections and contacts that the frame before does not have; 0 for the first frame.
     toi_lower, toi_upper : float
         Bracket of the first contact, fractions of the step: it is free before `toi_lower`, proven. 1 if it is free.
+    has_collapsed : bool
+        Whether all vertices of an object lie at one point or on one line; the report's `notes` say of which.
     """
 
     frame: int
@@ -203,13 +205,15 @@ class AuditFrame(NamedTuple):
     new: int
     toi_lower: float
     toi_upper: float
+    has_collapsed: bool
 
 
 class AuditFrames(Table[AuditFrame]):
     """Frames in their order, each with the step that ends there.
 
     `len()` counts the frames; an integer index gives an `AuditFrame`, any other index of an array gives `AuditFrames`.
-    The columns of `table` are frame, is_usable, has_step, counts, neighbours, new, toi_lower, toi_upper.
+    The columns of `table` are frame, is_usable, has_step, counts, neighbours, new, toi_lower, toi_upper,
+    has_collapsed.
     """
 
     __slots__ = ("_names",)
@@ -223,6 +227,7 @@ class AuditFrames(Table[AuditFrame]):
     new = Column[Counts]("The number of pairs that the frame before does not have, shape (n,).")
     toi_lower = Column[Doubles]("Fraction of each step, shape (n,): it is free before, proven; 1 if it is free.")
     toi_upper = Column[Doubles]("Fraction of each step, shape (n,): until then some pair has touched; 1 if it is free.")
+    has_collapsed = Column[npt.NDArray[np.bool_]]("Whether an object has collapsed in each frame, shape (n,).")
 
     def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], names: FrameNames | None = None) -> None:
         super().__init__(table)
@@ -246,14 +251,14 @@ class AuditFrames(Table[AuditFrame]):
 
     @property
     def is_bad(self) -> npt.NDArray[np.bool_]:
-        """Whether each frame has an intersection, or its step a contact, shape (n,)."""
-        bad: npt.NDArray[np.bool_] = np.asarray(self.counts.any(axis=1))
+        """Whether each frame has an intersection or a collapsed object, or its step a contact, shape (n,)."""
+        bad: npt.NDArray[np.bool_] = np.asarray(self.counts.any(axis=1)) | self.has_collapsed
         return bad
 
     def _columns(self) -> Columns:
         kinds = {name: self.counts[:, kind] for kind, name in enumerate(_SHORT_NAMES)}
         columns = {name: self._table[name] for name in ("is_usable", "has_step")}
-        rest = {name: self._table[name] for name in ("neighbours", "new", "toi_lower", "toi_upper")}
+        rest = {name: self._table[name] for name in ("neighbours", "new", "toi_lower", "toi_upper", "has_collapsed")}
         return {"frame": self.frame, "name": np.array(self.names, dtype=object), **columns, **kinds, **rest}
 
     def _row(self, values: Any, index: int) -> AuditFrame:

@@ -80,7 +80,7 @@ TEST(InParts, SortsAsStdDoes) {
     for (const std::size_t count : kCounts) {
       auto numbers = random_numbers(count, 1000), expected = numbers;
       std::sort(expected.begin(), expected.end());
-      sort_in_parts(numbers, std::less<>());
+      sort_in_parts(numbers, std::less<>(), [] {});
       EXPECT_EQ(numbers, expected);
     }
   });

@@ -76,6 +76,7 @@ class Audit final : public Verb {
     if (io::has_own_order(names_)) note(kNaturalOrder);
     const auto start = std::chrono::steady_clock::now();
     const audit::Report report = audited(*source);
+    if (report.ended_by && !is_bad(report)) std::rethrow_exception(report.ended_by);  // outputs stay as they were
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     write(report);
     say(report, seconds.count());
@@ -116,10 +117,13 @@ class Audit final : public Verb {
       if (!path.empty()) fmt::print("written to      {}\n", printable(path));
   }
 
+  bool is_bad(const audit::Report& report) const {
+    return (only_new_ ? report.first_new() : report.first_bad()).has_value();
+  }
+
   /// A contact or intersection decides, even if other frames could not be asked about.
   int verdict(const audit::Report& report) const {
-    if (only_new_ ? report.first_new() : report.first_bad()) return kNo;
-    if (report.ended_by) std::rethrow_exception(report.ended_by);
+    if (is_bad(report)) return kNo;
     return report.problems == 0 ? kSuccess : fail(problem_of(report));
   }
 

@@ -314,7 +314,7 @@ TEST(CallerState, ComesBackAfterAnException) {
       EXPECT_EQ(state_here(), before);
       EXPECT_THROW(stopping.contacts(path), Cancelled);
       EXPECT_THROW(stopping.contacts(Step{}), InvalidStep);
-      EXPECT_THROW(vertex_face({}, {}, {.min_separation = -1}), InvalidOptions);
+      EXPECT_THROW(vertex_face(std::array<Point, 4>{}, {}, {.min_separation = -1}), InvalidOptions);
       EXPECT_THROW(pose_at({}, 2), InvalidPath);
       EXPECT_THROW(RigidPath({{0, 0, 0}}, {3}, {}), InvalidPath);
     });

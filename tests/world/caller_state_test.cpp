@@ -9,7 +9,7 @@ namespace tamis::test {
 namespace {
 
 TEST(WorldInCallersState, AnswersAlike) {
-  for (const std::uint64_t seed : {3, 4}) {
+  for (const std::uint64_t seed : {std::uint64_t{3}, std::uint64_t{4}}) {
     const TestWorld given = random_world(seed, 2, seed % 2 ? Motions::any : Motions::straight);
     for (const int threads : {0, 1, 4})
       expect_same_in_all_states("seed " + std::to_string(seed) + ", threads " + std::to_string(threads), [&] {

@@ -46,7 +46,7 @@ int main() {
   for (int i = 0; i < 500; ++i) {
     const Four start = tiny(), end = tiny();
     print(tamis::vertex_face(start, end));
-    print(tamis::edge_edge(start, end, {.min_separation = subnormal(i % 3)}));
+    print(tamis::edge_edge(start, end, {.min_separation = subnormal(static_cast<std::uint64_t>(i % 3))}));
   }
   Four start = lattice();
   start[1][1] = std::bit_cast<double>(std::uint64_t{0x7ff8000000000000});  // not a number

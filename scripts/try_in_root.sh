@@ -31,7 +31,8 @@ if [[ ! -e $root.tar ]]; then
   echo "try_in_root: making a root of $release"
   remove "$root.new"
   mirror=$(source_of_packages)
-  debootstrap --variant=minbase --include=ca-certificates "$release" "$root.new" ${mirror:-http://deb.debian.org/debian} \
+  [[ -n $mirror ]] || skip "apt has no source of Debian's packages"
+  debootstrap --variant=minbase --include=ca-certificates "$release" "$root.new" "$mirror" \
     >"$root.log" 2>&1 || { tail -n 5 "$root.log"; skip "debootstrap made no root of $release"; }
   tar -C "$root.new" -cf "$root.tar.new" .
   mv "$root.tar.new" "$root.tar"

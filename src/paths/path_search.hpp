@@ -73,8 +73,8 @@ class PathSearch {
   const MeshMoment start_;              ///< at t=0
   std::vector<double> searched_radii_;  ///< of the piece; deviations are added to these, vertex by vertex
   Separations searched_;                ///< a pair that stays farther apart need not be looked at
-  Bound bound_;                               ///< in times of the path
-  Bound bound_on_piece_;                      ///< the same in times of the piece
+  Bound bound_;                         ///< in times of the path
+  Bound bound_on_piece_;                ///< the same in times of the piece
   ContactCollector candidates_;
   PairsOnParts parts_;  ///< of the candidates
   std::vector<Contact> contacts_;

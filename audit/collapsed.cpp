@@ -31,6 +31,32 @@ class Extent {
 
 std::size_t index_of(Index i) { return static_cast<std::size_t>(i); }
 
+/// The vertex that an edge of the face leaves.
+Index third_vertex(const Face& face, const Edge& edge) {
+  return *std::find_if(face.begin(), face.end(), [&](Index v) { return v != edge[0] && v != edge[1]; });
+}
+
+bool has_three_vertices(const Face& f) { return f[0] != f[1] && f[1] != f[2] && f[2] != f[0]; }
+
+/// By component: are there triangles that share an edge, but not the third vertex? On a line two such triangles touch.
+/// If neither third vertex lies in the other triangle, these vertices are the ends of all four, on both sides of the
+/// shared edge, and the edge from each of them to the farther end of the shared one covers that.
+std::vector<bool> with_folds(const Mesh& mesh, const Components& components) {
+  std::vector<bool> result(index_of(components.count));
+  for (std::size_t e = 0; e < mesh.edges().size(); ++e) {
+    const Edge& edge = mesh.edges()[e];
+    Index other = -1;
+    for (const Index f : mesh.faces_of_edge(static_cast<Index>(e))) {
+      const Face& face = mesh.faces()[index_of(f)];
+      if (!has_three_vertices(face)) continue;
+      const Index third = third_vertex(face, edge);
+      if (other >= 0 && third != other) result[index_of(components.of_vertex[index_of(edge[0])])] = true;
+      other = third;
+    }
+  }
+  return result;
+}
+
 std::string sentence_of(const std::vector<Extent>& extents, const std::vector<bool>& collapsed) {
   const auto count = std::count(collapsed.begin(), collapsed.end(), true);
   const auto first =
@@ -55,9 +81,15 @@ Collapsed collapsed_in(const Mesh& mesh, const Components& components, const Pos
     return {std::vector<bool>(extents.size(), true), "all vertices lie at one point"};
   std::vector<bool> has_face(extents.size());
   for (const Face& face : mesh.faces()) has_face[index_of(components.of_vertex[index_of(face[0])])] = true;
-  std::vector<bool> collapsed(extents.size());
-  for (std::size_t i = 0; i < extents.size(); ++i)
-    collapsed[i] = has_face[i] && extents[i].count() >= kFewVertices && extents[i].fixed_axes() >= 2;
+  const auto may_have_collapsed = [&](std::size_t i) {
+    return has_face[i] && extents[i].count() >= kFewVertices && extents[i].fixed_axes() >= 2;
+  };
+  std::vector<bool> collapsed(extents.size()), folded;
+  for (std::size_t i = 0; i < extents.size(); ++i) {
+    if (!may_have_collapsed(i)) continue;
+    if (extents[i].fixed_axes() == 2 && folded.empty()) folded = with_folds(mesh, components);
+    collapsed[i] = extents[i].fixed_axes() == 3 || folded[i];
+  }
   if (std::find(collapsed.begin(), collapsed.end(), true) == collapsed.end()) return {};
   std::string sentence = sentence_of(extents, collapsed);
   return {std::move(collapsed), std::move(sentence)};

@@ -1,6 +1,5 @@
 // Objects that have collapsed: all of their vertices lie at one point, as in a frame that was never written, or their
-// triangles on one line along an axis. Every part of such an object touches every other, which is one fact and not n^2
-// pairs.
+// triangles on one line along an axis. Parts of such an object touch each other, which is one fact and not n^2 pairs.
 #pragma once
 #include <optional>
 #include <string>

@@ -12,6 +12,14 @@ void print_bracket(double toi_lower, double toi_upper) {
              toi_lower, toi_upper - toi_lower);
 }
 
+/// Of a part of the mesh: contacts of what was left out may come first.
+void print_of_rest(bool is_free, double toi_upper) {
+  if (is_free)
+    fmt::print("first contact   none of what is left\n");
+  else
+    fmt::print("first contact   of what is left at {:.12g} of the step\n", toi_upper);
+}
+
 /// Prints two features. `bodies`: the names of their bodies; empty if all are of one mesh.
 void print_between(PairKind kind, const std::array<Index, 4>& v, const std::array<std::string, 2>& bodies = {}) {
   const auto [first, second] = [&]() -> std::array<std::string, 2> {
@@ -45,12 +53,14 @@ void print_limit(const SafeStep& safe, double keep, const std::string& distance)
 
 }  // namespace
 
-void print_tally(const Tally& tally) {
+void print_tally(const Tally& tally, bool is_of_all) {
   fmt::print("contacts        {} vertex-face, {} edge-edge{}\n", grouped(tally.vf), grouped(tally.ee),
              of_loose_points(tally.ve, tally.vv));
   if (tally.unresolved > 0)
     fmt::print("unresolved      {} of them: they may touch, or only come close\n", grouped(tally.unresolved));
-  if (tally.is_free())
+  if (!is_of_all)
+    print_of_rest(tally.is_free(), tally.toi_upper);
+  else if (tally.is_free())
     fmt::print("first contact   none: the step is free, proven\n");
   else if (tally.unresolved == tally.contacts())
     fmt::print("first contact   unresolved; free before {}, proven\n", tally.toi_lower);
@@ -58,9 +68,9 @@ void print_tally(const Tally& tally) {
     print_bracket(tally.toi_lower, tally.toi_upper);
 }
 
-void add_tally(Json& json, const Tally& tally) {
+void add_tally(Json& json, const Tally& tally, bool is_of_all) {
   json["contacts"] = json_of(tally);
-  add_bracket(json, tally.is_free(), tally.toi_lower, tally.toi_upper);
+  add_bracket(json, tally.is_free() && is_of_all, is_of_all ? tally.toi_lower : 0, tally.toi_upper);
 }
 
 void print_contact(const Contact& c, const std::array<std::string, 2>& bodies) {
@@ -69,17 +79,18 @@ void print_contact(const Contact& c, const std::array<std::string, 2>& bodies) {
              c.normal[2]);
 }
 
-void print_earliest(const EarliestContact& first) {
-  if (!first.contact) {
+void print_earliest(const EarliestContact& first, bool is_of_all) {
+  if (!is_of_all)
+    print_of_rest(!first.contact, first.toi_upper);
+  else if (first.contact)
+    print_bracket(first.toi_lower, first.toi_upper);
+  else
     fmt::print("first contact   none: the whole step is free, proven\n");
-    return;
-  }
-  print_bracket(first.toi_lower, first.toi_upper);
-  print_contact(*first.contact);
+  if (first.contact) print_contact(*first.contact);
 }
 
-void add_earliest(Json& json, const EarliestContact& first) {
-  add_bracket(json, !first.contact, first.toi_lower, first.toi_upper);
+void add_earliest(Json& json, const EarliestContact& first, bool is_of_all) {
+  add_bracket(json, !first.contact && is_of_all, is_of_all ? first.toi_lower : 0, first.toi_upper);
   json["contact"] = first.contact ? json_of(*first.contact) : Json();
 }
 

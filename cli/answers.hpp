@@ -7,15 +7,15 @@
 
 namespace tamis::cli {
 
-/// How many contacts of which kind, and the first.
-void print_tally(const Tally& tally);
-void add_tally(Json& json, const Tally& tally);
+/// How many contacts of which kind, and the first. Unless the answer is about all of the mesh, nothing is proven free.
+void print_tally(const Tally& tally, bool is_of_all = true);
+void add_tally(Json& json, const Tally& tally, bool is_of_all = true);
 
 /// `bodies`: the names of the features' bodies; empty if the question is about one mesh.
 void print_contact(const Contact& contact, const std::array<std::string, 2>& bodies = {});
 
-void print_earliest(const EarliestContact& first);
-void add_earliest(Json& json, const EarliestContact& first);
+void print_earliest(const EarliestContact& first, bool is_of_all = true);
+void add_earliest(Json& json, const EarliestContact& first, bool is_of_all = true);
 
 /// `keep`: the part of the distance beyond `min_separation` that every pair was to keep.
 void print_safe_step(const SafeStep& safe, double keep, double min_separation);

@@ -98,7 +98,7 @@ io::Recording recording_of(const Detector& detector, const std::filesystem::path
           {utf8_text(name.filename().string())},
           {std::move(positions)},
           {},
-          io::RecordedPose{found, detector.statistics().stages}};
+          io::RecordedPose{found, detector.statistics().stages, {}}};
 }
 
 }  // namespace tamis::cli

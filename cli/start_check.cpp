@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 
+#include "cli/collapse_check.hpp"
 #include "cli/command_line/printable.hpp"
 #include "cli/command_line/verb.hpp"
 #include "cli/step_files.hpp"
@@ -25,9 +26,13 @@ void StartCheck::declare_for_bodies(OptionList& options) {
 }
 
 bool StartCheck::passes(Detector& detector, const Positions& start) {
-  if (is_asked_) intersections_ = detector.intersections(start).size();
-  if (intersections_ > 0) note_coincident(detector.mesh(), start);
-  return intersections_ == 0;
+  if (!is_asked_) return true;
+  UncollapsedAsker asker(detector);
+  Detector* asked = asker.detector_for("START", "START", {start, start});
+  if (asked) intersections_ = asked->intersections(start).size();
+  has_collapsed_ = !asker.collapse().passes();
+  if (intersections_ > 0 && !has_collapsed_) note_coincident(detector.mesh(), start);
+  return intersections_ == 0 && !has_collapsed_;
 }
 
 bool StartCheck::passes(World& world) {
@@ -44,6 +49,8 @@ int StartCheck::refuse(const Detector& detector, bool as_json, Json json) const 
     print_json(json);
   } else {
     print_asked(detector);
+    if (has_collapsed_) fmt::print("START           has objects that have collapsed; nothing else was asked\n");
+    if (intersections_ == 0) return kNo;
     fmt::print(
         "START           passes through itself: {} intersection{} ('tamis intersections START' lists them); "
         "nothing else was asked\n",

@@ -34,7 +34,8 @@ class StartCheck {
  private:
   bool is_asked_ = false;
   std::size_t intersections_ = 0;
-  BodyIntersection first_{};  ///< the first intersection of bodies, if there is one
+  bool has_collapsed_ = false;  ///< then what has collapsed was not asked about
+  BodyIntersection first_{};    ///< the first intersection of bodies, if there is one
 };
 
 }  // namespace tamis::cli

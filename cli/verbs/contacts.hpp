@@ -1,5 +1,6 @@
 // tamis contacts; tamis-lab asks the same of detectors of its own.
 #pragma once
+#include "cli/collapse_check.hpp"
 #include "cli/look_output.hpp"
 #include "cli/report.hpp"
 #include "cli/start_check.hpp"
@@ -24,7 +25,7 @@ class Contacts : public StepVerb {
 
  private:
   void write(const Detector& detector, const StepFiles& files, const std::vector<Contact>& contacts) const;
-  void report(const Tally& tally, const Detector& detector, const Timing& timing) const;
+  void report(const Tally& tally, const CollapseCheck& collapse, const Detector& detector, const Timing& timing) const;
 
   StartCheck start_check_;
   LookOutput output_{"", io::NoExtension::is_first_format};

@@ -18,7 +18,14 @@ class MotionVerb : public Verb {
     detector_.check();
     own();
   }
-  virtual Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
+  Detector detector_for(Mesh mesh) const {
+    Options options = options_for(mesh);
+    return detector_for(std::move(mesh), std::move(options));
+  }
+  /// `options`: those for the mesh, or for one of which the mesh is a part.
+  virtual Detector detector_for(Mesh mesh, Options options) const {
+    return Detector(std::move(mesh), std::move(options));
+  }
   Options options_for(const Mesh& mesh) const { return detector_.options_for(mesh); }
   /// The options where no one has the whole mesh.
   Options options() const { return detector_.options(); }

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "cli/collapse_check.hpp"
 #include "cli/step_files.hpp"
 #include "cli/verbs/moving_frames.hpp"
 #include "cli/verbs/sequence_table.hpp"
@@ -44,13 +45,17 @@ void for_each_step(const MovingFrames& frames, const StepRange& range, const F& 
   }
 }
 
-/// Asks one detector about each part and calls f(SequenceStep). `own`: options of each question.
+/// Asks about each part, without what has collapsed at its ends, and calls f(SequenceStep). `own`: options of each
+/// question.
 template <class F>
-void ask_steps(Detector& detector, const MovingFrames& frames, const StepRange& range, const QueryOptions& own,
+void ask_steps(Detector& whole, const MovingFrames& frames, const StepRange& range, const QueryOptions& own,
                const F& f) {
+  UncollapsedAsker asker(whole);
   for_each_step(frames, range, [&](std::size_t end, int part, const Step& step) {
-    const Tally tally = tally_of(detector.contacts(step, own));
-    f(SequenceStep{end, part, tally, detector.statistics().seconds, detector.statistics().rebuilt});
+    Detector* detector = asker.detector_for(frames.paths()[end - 1].string(), frames.paths()[end].string(), step);
+    const Tally tally = detector ? tally_of(detector->contacts(step, own)) : Tally();
+    const Statistics& statistics = detector ? detector->statistics() : Statistics();
+    f(SequenceStep{end, part, tally, statistics.seconds, statistics.rebuilt, !asker.collapse().passes()});
     return true;
   });
 }

@@ -40,14 +40,15 @@ void SequenceTable::print_head(const Detector& detector) const {
 void SequenceTable::add(const SequenceStep& step) {
   total_.add_counts(step.tally);
   seconds_ += step.seconds.total;
-  free_steps_ += step.tally.is_free() ? 1 : 0;
+  free_steps_ += step.is_free() ? 1 : 0;
   ++steps_asked_;
   if (!json_) return print_row(step);
   Json json{{"start", frames_[step.end - 1].string()},
             {"end", frames_[step.end].string()},
             {"contacts", json_of(step.tally)}};
   if (substeps_ > 1) json["substep"] = step.part;
-  add_bracket(json, step.tally.is_free(), step.tally.toi_lower, step.tally.toi_upper);
+  add_bracket(json, step.is_free(), step.free_before(), step.tally.toi_upper);
+  json["collapsed"] = step.has_collapsed;
   json["seconds"] = json_of(step.seconds);
   json["rebuilt"] = step.rebuilt;
   steps_.push_back(std::move(json));
@@ -57,8 +58,9 @@ void SequenceTable::print_row(const SequenceStep& step) const {
   const Tally& tally = step.tally;
   fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>14} {:>10}  {}{}\n", step.end,
              printable(frames_[step.end].filename().string()) + part_of(step.part), width_, grouped(tally.vf),
-             grouped(tally.ee), tally.is_free() ? std::string("end") : no_later(tally.toi_lower),
-             readable(step.seconds.total), tree_of(step), of_loose_points(tally.ve, tally.vv));
+             grouped(tally.ee), step.is_free() ? std::string("end") : no_later(step.free_before()),
+             readable(step.seconds.total), step.has_collapsed ? "collapsed" : tree_of(step),
+             of_loose_points(tally.ve, tally.vv));
   std::fflush(stdout);
 }
 

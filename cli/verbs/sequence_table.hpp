@@ -16,6 +16,11 @@ struct SequenceStep {
   Tally tally;
   Seconds seconds;
   bool rebuilt;
+  bool has_collapsed;  ///< something was left out, of which nothing is proven
+
+  bool is_free() const { return tally.is_free() && !has_collapsed; }
+  /// Proven: no contact before this time.
+  double free_before() const { return has_collapsed ? 0 : tally.toi_lower; }
 };
 
 class SequenceTable {

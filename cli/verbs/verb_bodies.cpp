@@ -60,6 +60,7 @@ class Bodies final : public Verb {
     const bool is_film = !out_.empty() && io::format_of(out_, kShownAs) == 1;
     World world = asked_of(step_text(1), [&] { return bodies.world(detector_.options()); });
     BodiesTable table(bodies, json_);
+    bodies.leave_out_collapsed(world);
     if (!start_.passes(world)) return table.refuse(start_);
     std::optional<io::BodiesCsv> csv;
     std::optional<BodiesFilm> film;
@@ -72,7 +73,10 @@ class Bodies final : public Verb {
     for (std::size_t step = 1; step <= bodies.step_count(); ++step) {
       std::vector<BodyContact> contacts;
       const Timing timing = asked_of(step_text(step), [&] {
-        if (step > 1) bodies.go_on(world);
+        if (step > 1) {
+          bodies.go_on(world);
+          bodies.leave_out_collapsed(world);
+        }
         return ask_repeatedly(world, repeat_,
                               [&] { contacts = first_ ? world.first_contacts(own) : world.contacts(own); });
       });

@@ -3,9 +3,9 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "cli/answers.hpp"
-#include "cli/collapse_check.hpp"
 #include "cli/command_line/printable.hpp"
 #include "cli/verbs/contacts.hpp"
 
@@ -20,19 +20,21 @@ void Contacts::declare(OptionList& options) {
 int Contacts::run() {
   output_.require({start_, end_}, 1, json_);
   StepFiles files = read();
-  CollapseCheck collapse;
-  collapse.look(start_, files.mesh, files.start);
-  collapse.look(end_, files.mesh, files.end);
-  if (!collapse.passes()) return collapse.refuse(json_);
-  Detector detector = detector_for(std::move(files.mesh));
+  CollapseCheck collapse(files.mesh);
+  collapse.look(start_, files.start);
+  collapse.look(end_, files.end);
+  Options options = options_for(files.mesh);
+  std::optional<Mesh> asked = collapse.passes() ? std::move(files.mesh) : collapse.rest();
+  if (!asked) return collapse.refuse(json_);
+  Detector detector = detector_for(std::move(*asked), std::move(options));
   const Step step = files.step();
   if (!start_check_.passes(detector, step.start)) return start_check_.refuse(detector, json_, Json::object());
   const std::vector<Contact>* contacts = nullptr;
   const Timing timing = ask_repeatedly(detector, repeat_, [&] { contacts = &detector.contacts(step, own()); });
-  if (!contacts->empty()) note_coincident(detector.mesh(), step.start);
+  if (!contacts->empty() && collapse.passes()) note_coincident(detector.mesh(), step.start);
   write(detector, files, *contacts);
-  report(tally_of(*contacts), detector, timing);
-  return kSuccess;
+  report(tally_of(*contacts), collapse, detector, timing);
+  return collapse.passes() ? kSuccess : kNo;
 }
 
 void Contacts::write(const Detector& detector, const StepFiles& files, const std::vector<Contact>& contacts) const {
@@ -46,18 +48,21 @@ void Contacts::write(const Detector& detector, const StepFiles& files, const std
   output_.write(recording);
 }
 
-void Contacts::report(const Tally& tally, const Detector& detector, const Timing& timing) const {
+void Contacts::report(const Tally& tally, const CollapseCheck& collapse, const Detector& detector,
+                      const Timing& timing) const {
   if (json_) {
     Json json;
-    add_tally(json, tally);
+    add_tally(json, tally, collapse.passes());
+    if (!collapse.passes()) collapse.add_to(json);
     start_check_.add_to(json);
     add_costs(json, detector, timing);
     return print_json(json);
   }
   print_asked(detector);
-  print_tally(tally);
+  print_tally(tally, collapse.passes());
+  if (!collapse.passes()) collapse.print();
   print_ignored(detector.statistics());
-  if (tally.is_free()) start_check_.print();
+  if (tally.is_free() && collapse.passes()) start_check_.print();
   if (!output_.path().empty()) fmt::print("written to      {}\n", printable(output_.path()));
   print_costs(detector.statistics(), timing, repeat_);
 }

@@ -1,5 +1,6 @@
 // tamis earliest: the first contact of a step.
 #include <memory>
+#include <optional>
 
 #include "cli/answers.hpp"
 #include "cli/collapse_check.hpp"
@@ -26,33 +27,38 @@ class Earliest final : public StepVerb {
 
   int run() override {
     StepFiles files = read();
-    CollapseCheck collapse;
-    collapse.look(StepVerb::start_, files.mesh, files.start);
-    collapse.look(StepVerb::end_, files.mesh, files.end);
-    if (!collapse.passes()) return collapse.refuse(json_);
-    Detector detector = detector_for(std::move(files.mesh));
+    CollapseCheck collapse(files.mesh);
+    collapse.look(StepVerb::start_, files.start);
+    collapse.look(end_, files.end);
+    Options options = options_for(files.mesh);
+    std::optional<Mesh> asked = collapse.passes() ? std::move(files.mesh) : collapse.rest();
+    if (!asked) return collapse.refuse(json_);
+    Detector detector = detector_for(std::move(*asked), std::move(options));
     const Step step = files.step();
     if (!start_.passes(detector, step.start)) return start_.refuse(detector, json_, Json::object());
     EarliestContact first;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { first = detector.earliest(step, own()); });
-    if (first.contact) note_coincident(detector.mesh(), step.start);
-    report(first, detector, timing);
-    return kSuccess;
+    if (first.contact && collapse.passes()) note_coincident(detector.mesh(), step.start);
+    report(first, collapse, detector, timing);
+    return collapse.passes() ? kSuccess : kNo;
   }
 
  private:
-  void report(const EarliestContact& first, const Detector& detector, const Timing& timing) const {
+  void report(const EarliestContact& first, const CollapseCheck& collapse, const Detector& detector,
+              const Timing& timing) const {
     if (json_) {
       Json json;
-      add_earliest(json, first);
+      add_earliest(json, first, collapse.passes());
+      if (!collapse.passes()) collapse.add_to(json);
       start_.add_to(json);
       add_costs(json, detector, timing);
       return print_json(json);
     }
     print_asked(detector);
-    print_earliest(first);
+    print_earliest(first, collapse.passes());
+    if (!collapse.passes()) collapse.print();
     print_ignored(detector.statistics());
-    if (!first.contact) start_.print();
+    if (!first.contact && collapse.passes()) start_.print();
     print_costs(detector.statistics(), timing, repeat_);
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "cli/collapse_check.hpp"
 #include "cli/command_line/printable.hpp"
@@ -44,30 +45,36 @@ class IntersectionsVerb final : public PoseVerb {
     io::MeshFile file = read();
     const std::vector<Point> positions = file.positions;
     Mesh mesh = io::mesh_of(std::move(file));
-    CollapseCheck collapse;
-    collapse.look(path_, mesh, positions);
-    if (!collapse.passes()) return collapse.refuse(json_);
-    Detector detector = detector_for(std::move(mesh));
+    CollapseCheck collapse(mesh);
+    collapse.look(path_, positions);
+    std::optional<Mesh> asked = collapse.passes() ? std::move(mesh) : collapse.rest();
+    if (!asked) return collapse.refuse(json_);
+    Detector detector = detector_for(std::move(*asked));
     const std::vector<Intersection>* found = nullptr;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { found = &detector.intersections(positions); });
     output_.write(recording_of(detector, path_, positions, *found));
-    if (!found->empty()) note_coincident(detector.mesh(), positions);
-    report(*found, detector, timing);
-    return found->empty() ? kSuccess : kNo;
+    if (!found->empty() && collapse.passes()) note_coincident(detector.mesh(), positions);
+    report(*found, collapse, detector, timing);
+    return found->empty() && collapse.passes() ? kSuccess : kNo;
   }
 
  private:
-  void report(const std::vector<Intersection>& found, const Detector& detector, const Timing& timing) const {
+  void report(const std::vector<Intersection>& found, const CollapseCheck& collapse, const Detector& detector,
+              const Timing& timing) const {
     if (json_) {
       Json json{{"intersections", found.size()}, {"pairs", Json::array()}};
       const std::size_t listed = std::min<std::size_t>(found.size(), limit_);
       for (std::size_t i = 0; i < listed; ++i) json["pairs"].push_back(json_of(found[i]));
       json["pairs_left_out"] = found.size() - listed;
+      if (!collapse.passes()) collapse.add_to(json);
       add_costs(json, detector, timing);
       return print_json(json);
     }
     print_asked(detector);
-    if (found.empty())
+    if (!collapse.passes()) collapse.print();
+    if (found.empty() && !collapse.passes())
+      fmt::print("intersections   none of what is left\n");
+    else if (found.empty())
       fmt::print(
           "intersections   none: no edge passes through a triangle that shares no vertex with it, or touches one, "
           "proven\n");

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cli/answers.hpp"
+#include "cli/collapse_check.hpp"
 #include "cli/command_line/printable.hpp"
 #include "cli/progress.hpp"
 #include "cli/start_check.hpp"
@@ -48,7 +49,6 @@ class IsFree final : public MotionVerb {
     if (!start_.passes(detector, frames.first().positions)) return start_.refuse(detector, json_, {{"free", false}});
     Timing timing;
     const std::optional<std::size_t> met = ask(frames, detector, timing);
-    if (met) note_coincident(detector.mesh(), frames.first().positions);
     report(frames, met, detector, timing);
     return met ? kNo : kSuccess;
   }
@@ -61,7 +61,12 @@ class IsFree final : public MotionVerb {
     for_each_step(frames, {1, frames.paths().size(), 1, scale()}, [&](std::size_t end, int /*part*/, const Step& step) {
       bool is_free = false;
       timing += ask_repeatedly(detector, repeat_, [&] { is_free = detector.is_free(step, own()); });
-      if (!is_free) met = end;
+      if (!is_free) {
+        met = end;
+        progress.clear();
+        note_causes(detector.mesh(), frames.paths()[end - 1].string(), step.start, frames.paths()[end].string(),
+                    step.end);
+      }
       progress.show(end);
       return is_free;
     });

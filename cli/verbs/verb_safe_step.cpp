@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "cli/answers.hpp"
+#include "cli/collapse_check.hpp"
 #include "cli/start_check.hpp"
 #include "cli/verbs/step_verb.hpp"
 
@@ -34,7 +35,7 @@ class SafeStepLength final : public StepVerb {
     SafeStep safe;
     const Timing timing =
         ask_repeatedly(detector, repeat_, [&] { safe = detector.safe_step(step, keep_.part(), own()); });
-    if (safe.lower == 0) note_coincident(detector.mesh(), step.start);
+    if (safe.lower < 1) note_causes(detector.mesh(), StepVerb::start_, step.start, end_, step.end);
     report(safe, detector, timing);
     return kSuccess;
   }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "cli/collapse_check.hpp"
 #include "cli/command_line/printable.hpp"
 #include "cli/output_file.hpp"
 #include "cli/report.hpp"
@@ -61,8 +62,9 @@ class Truncate final : public StepVerb {
     TruncatedStep to;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { to = detector.truncate(step, keep_, own()); });
     if (!out_.empty()) io::write_ply(out_, frame_of(detector.mesh(), files, to.positions));
-    if (!to.is_free) note_coincident(detector.mesh(), step.start);
-    report(to, part_of_way(detector.mesh(), step, to.positions), detector, timing);
+    const double part = part_of_way(detector.mesh(), step, to.positions);
+    if (!to.is_free || part < 1) note_causes(detector.mesh(), start_, step.start, end_, step.end);
+    report(to, part, detector, timing);
     return to.is_free ? kSuccess : kNo;
   }
 

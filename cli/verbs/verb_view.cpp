@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "cli/collapse_check.hpp"
 #include "cli/command_line/printable.hpp"
 #include "cli/look_output.hpp"
 #include "cli/progress.hpp"
@@ -66,14 +67,21 @@ class View final : public MotionVerb {
         "or name two frames");
   }
 
-  static io::Recording pose_of(const MovingFrames& frames, Detector& detector) {
+  static io::Recording pose_of(const MovingFrames& frames, Detector& whole) {
     const std::vector<Point>& positions = frames.first().positions;
-    const std::vector<Intersection>& found = detector.intersections(positions);
-    return recording_of(detector, frames.paths().front(), positions, found);
+    const std::string name = frames.paths().front().string();
+    UncollapsedAsker asker(whole);
+    Detector* detector = asker.detector_for(name, name, {positions, positions});
+    io::Recording recording = recording_of(whole, name, positions,
+                                           detector ? detector->intersections(positions) : std::vector<Intersection>());
+    if (detector) recording.pose->stages = detector->statistics().stages;
+    recording.pose->collapsed = asker.collapse().text();
+    return recording;
   }
 
-  io::Recording steps_of(const MovingFrames& frames, Detector& detector) const {
-    io::Recording recording{detector.mesh(), detector.options(), scale(), {}, {}, {}};
+  io::Recording steps_of(const MovingFrames& frames, Detector& whole) const {
+    UncollapsedAsker asker(whole);
+    io::Recording recording{whole.mesh(), whole.options(), scale(), {}, {}, {}};
     for (const std::filesystem::path& path : frames.paths())
       recording.names.push_back(utf8_text(path.filename().string()));
     recording.frames.push_back(frames.first().positions);
@@ -85,10 +93,15 @@ class View final : public MotionVerb {
       std::vector<Point> end = recording.frames[i];
       note_units(frames.paths()[i].string(), start, end);
       io::scale_step(start, end, recording.scale);
-      asked_of("the step to " + frames.paths()[i].string(), [&] {
-        recording.steps.push_back({detector.contacts({start, end}, own()), detector.statistics().stages});
-        recording.steps.back().ignored = detector.statistics().ignored;
-      });
+      Detector* detector = asker.detector_for(frames.paths()[i - 1].string(), frames.paths()[i].string(), {start, end});
+      io::RecordedStep& recorded = recording.steps.emplace_back();
+      recorded.collapsed = asker.collapse().text();
+      if (detector)
+        asked_of("the step to " + frames.paths()[i].string(), [&] {
+          recorded.contacts = detector->contacts({start, end}, own());
+          recorded.stages = detector->statistics().stages;
+          recorded.ignored = detector->statistics().ignored;
+        });
       progress.show(i);
     }
     progress.clear();

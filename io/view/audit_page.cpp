@@ -29,11 +29,18 @@ RecordedStrip strip_of(const audit::Report& report) {
     strip.problems.push_back(frame.problem);
     strip.has_step.push_back(frame.has_step);
     strip.fresh.push_back(frame.fresh);
+    strip.collapsed.push_back(frame.has_collapsed);
     strip.contacts.push_back(frame.contacts());
     strip.intersections.push_back(frame.intersections());
     strip.steps.push_back(RecordedStrip::kNotShown);
   }
   return strip;
+}
+
+/// The note, if something has collapsed in the frame or was left out of the step to it.
+std::string collapsed_in(const audit::FrameAnswer& answer) {
+  const bool is_left_out = answer.has_step && answer.contacts() == 0 && answer.toi_lower < 1;
+  return answer.has_collapsed || is_left_out ? answer.note : "";
 }
 
 std::string why_nothing_is_shown(const audit::Report& report) {
@@ -81,8 +88,14 @@ void write_audit_page(const std::filesystem::path& path, const audit::Report& re
     recording.strip->steps[static_cast<std::size_t>(findings.number)] = static_cast<int>(recording.steps.size());
     const std::size_t start = frames.place_of(findings.before ? findings.before : findings.frame);
     const std::size_t end = frames.place_of(findings.frame);
-    recording.steps.push_back(
-        {findings.contacts, {}, {}, findings.intersections, std::array{start, end}, 0, findings.is_new});
+    recording.steps.push_back({findings.contacts,
+                               {},
+                               {},
+                               findings.intersections,
+                               std::array{start, end},
+                               0,
+                               findings.is_new,
+                               collapsed_in(findings.answer)});
   }
   write_viewer_page(path, recording);
 }

@@ -26,12 +26,15 @@ struct RecordedStep {
   std::uint64_t ignored = 0;
   /// Of an audit, for the intersections, then the contacts: whether the pair is new since the frame before.
   std::vector<bool> is_new = {};
+  /// Which objects have collapsed and were left out, so that nothing is proven of the step; empty if none.
+  std::string collapsed = {};
 };
 
 /// The intersections of a pose.
 struct RecordedPose {
   std::vector<Intersection> intersections;
   std::vector<StageCount> stages;
+  std::string collapsed = {};  ///< as of a step
 };
 
 /// The numbers of all frames of an audited motion; the recording has only some of these frames.
@@ -45,6 +48,7 @@ struct RecordedStrip {
   std::vector<std::uint64_t> contacts;       ///< of the step that ends there
   std::vector<std::uint64_t> intersections;  ///< of the frame
   std::vector<std::uint64_t> fresh;          ///< of both: new since the frame before
+  std::vector<bool> collapsed;               ///< an object has collapsed in the frame
   std::vector<int> steps;                    ///< the recording's step that ends there, or kNotShown
 };
 

@@ -195,8 +195,13 @@ Json json_of(const RecordedStep& step) {
   }
   json["complete"] = !step.free_before;
   json["ignored"] = step.ignored;
-  const bool is_free = !step.free_before && tally.is_free();
-  add_bracket(json, is_free, step.free_before.value_or(tally.toi_lower), tally.toi_upper);
+  if (step.collapsed.empty()) {
+    const bool is_free = !step.free_before && tally.is_free();
+    add_bracket(json, is_free, step.free_before.value_or(tally.toi_lower), tally.toi_upper);
+  } else {
+    json["collapsed"] = step.collapsed;
+    add_bracket(json, false, 0, tally.toi_upper);
+  }
   add_stages(json, step.stages);
   return json;
 }
@@ -204,7 +209,8 @@ Json json_of(const RecordedStep& step) {
 /// The pose as a step that stands still.
 Json json_of(const RecordedPose& pose) {
   Json json{{"contacts", {{"ef", pose.intersections.size()}, {"unresolved", 0}}}, {"complete", true}, {"ignored", 0}};
-  add_bracket(json, pose.intersections.empty(), 0, 0);
+  if (!pose.collapsed.empty()) json["collapsed"] = pose.collapsed;
+  add_bracket(json, pose.intersections.empty() && pose.collapsed.empty(), 0, 0);
   add_stages(json, pose.stages);
   return json;
 }
@@ -220,6 +226,7 @@ Json json_of(const RecordedStrip& strip) {
           {"contacts", strip.contacts},
           {"intersections", strip.intersections},
           {"fresh", strip.fresh},
+          {"collapsed", strip.collapsed},
           {"steps", strip.steps}};
 }
 

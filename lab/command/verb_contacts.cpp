@@ -24,9 +24,8 @@ class ContactsByMethod final : public cli::Contacts {
   }
 
  private:
-  Detector detector_for(Mesh mesh) const override {
-    const Options options = options_of(options_for(mesh), method_, bounding_volume_);
-    return make_detector(std::move(mesh), options);
+  Detector detector_for(Mesh mesh, Options options) const override {
+    return make_detector(std::move(mesh), options_of(std::move(options), method_, bounding_volume_));
   }
 
   std::string method_ = "paper", bounding_volume_ = kDefaultBoundingVolume;

@@ -62,7 +62,8 @@ def _require_doubles(array: npt.NDArray[Any], name: str, error: type[Error]) -> 
         candidates = array[large]
         candidates = candidates[[int(x) != int(d) for x, d in zip(candidates, nearest[large])]]
     if candidates.size > 0:
-        raise error(f"{name} holds {str(candidates.flat[0])}, which a double would round: subtract an offset, or give doubles")
+        first = candidates.flat[0]
+        raise error(f"{name} holds {first!s}, which a double would round: subtract an offset, or give doubles")
 
 
 def shape_text(array: npt.NDArray[Any]) -> str:

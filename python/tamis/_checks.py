@@ -29,12 +29,13 @@ def number(given: Any, name: str, error: type[Error] = InvalidOptions) -> float:
     try:
         if is_single and (hasattr(given, "__float__") or hasattr(given, "__index__")) and not np.iscomplexobj(given):
             value = float(given)
-            if _is_rounded(given, value):
-                raise error(f"{name} is {str(given)}, which a double would round: give a double")
-            return value
+        else:
+            raise TypeError
     except (TypeError, ValueError, OverflowError):
-        pass
-    raise error(f"{name} is {shown(given)}: give one number")
+        raise error(f"{name} is {shown(given)}: give one number") from None
+    if _is_rounded(given, value):
+        raise error(f"{name} is {given!s}, which a double would round: give a double")
+    return value
 
 
 def _is_rounded(given: Any, value: float) -> bool:

@@ -170,7 +170,7 @@ def test_a_mask_is_not_lost(falling: tamis.Scene) -> None:
         tamis.Detector(falling.mesh).is_free(masked, falling.end)
 
 
-INEXACT = {
+INEXACT: dict[str, Callable[[Any], Any]] = {
     "an integer": lambda rows: np.where(rows == 0, 2**53 + 1, 1).astype(np.int64),
     "an unsigned integer": lambda rows: np.where(rows == 0, 2**64 - 1, 1).astype(np.uint64),
     "more digits": lambda rows: rows + np.longdouble(1) / 3,

@@ -50,6 +50,23 @@ def test_arrays() -> None:
     assert tamis.audit(FRAMES[:2], faces=FACES).is_free
 
 
+def test_a_frame_that_was_never_written_is_one_fact(tmp_path: pathlib.Path) -> None:
+    """Bug: all pairs of a frame of zeros are listed, or the frame is called free because none is."""
+    x, y = (axis.ravel().astype(float) for axis in np.meshgrid(range(30), range(30)))
+    corners = np.array([i for i in range(29 * 30) if i % 30 < 29])[:, None]
+    faces = np.concatenate([corners + [0, 1, 31], corners + [0, 31, 30]])
+    sheet = np.stack([x, y, 0 * x], axis=1)
+    report = tamis.audit([sheet, 0 * sheet, sheet], faces=faces)
+    assert report.frames.has_collapsed.tolist() == [False, True, False]
+    assert report.frames.is_bad.tolist() == [False, True, False]
+    assert not report.is_free and report.first_bad is not None and report.first_bad.has_collapsed
+    assert len(report.pairs) == 0 and "lie at one point" in report.notes[1]
+    assert report.frames.to_pandas()["has_collapsed"].tolist() == [False, True, False]
+    report.save(tmp_path / "page.html")
+    auditor = tamis.Auditor(tamis.Mesh(faces))
+    assert not auditor.add(sheet).has_collapsed and auditor.add(0 * sheet).has_collapsed
+
+
 def test_iterables() -> None:
     _check(tamis.audit((frame for frame in FRAMES), faces=FACES))
     _check(tamis.audit(list(FRAMES), faces=FACES))

@@ -76,6 +76,19 @@ TEST(Collapsed, OnALineButNotInAPlane) {
   EXPECT_EQ(says(3), "all vertices lie at one point");
 }
 
+// Bug: triangles that share corners alone, one behind the other on a line, are said to touch.
+TEST(Collapsed, TrianglesBehindEachOtherOnALineAreAskedAbout) {
+  std::vector<Face> faces;
+  std::vector<Point> points{{0, 0, 0}};
+  for (Index i = 0; i < 12; i += 2) {
+    faces.push_back({i, i + 1, i + 2});
+    for (const double x : {0.5, 1.0}) points.push_back({0.5 * i + x, 0, 0});
+  }
+  const Mesh mesh(Index(points.size()), faces);
+  EXPECT_FALSE(collapsed_in(mesh, components_of(mesh), points).any());
+  EXPECT_TRUE(audit_of({points, points}, mesh).is_free());
+}
+
 // Bug: a rod along an axis, or a triangle that is a point, is taken for a fault.
 TEST(Collapsed, RodsAndSmallTrianglesAreNone) {
   std::vector<Edge> rod;

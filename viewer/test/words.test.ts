@@ -3,8 +3,8 @@ import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import type { SceneHeader } from "../src/scene/header";
-import { nothingFound, percentWithout, withoutContacts } from "../src/scene/proofs";
+import { badFrames, firstBadStep, type SceneHeader, type Strip } from "../src/scene/header";
+import { nothingFound, percentWithout, shareOf, withoutContacts } from "../src/scene/proofs";
 
 const step = { contacts: {}, toi_upper: null, stages: [], complete: true, ignored: 0 };
 
@@ -22,6 +22,22 @@ void test("a step that was not asked about is not spoken of as if it was", () =>
     nothingFound(header as unknown as SceneHeader, { ...step, toi_lower: null, ends });
   assert.ok(sentence([0, 1]).endsWith("nor in the step to it."));
   assert.ok(sentence([1, 1]).endsWith("no step to it was asked about."));
+});
+
+// Bug: a frame in which an object has collapsed is called free, as its pairs are not listed.
+void test("of what has collapsed nothing is called free", () => {
+  const header = { names: ["0", "1"], strip: { asks_intersections: true } } as unknown as SceneHeader;
+  const collapsed = { ...step, toi_lower: 0, collapsed: "all vertices lie at one point" };
+  assert.ok(nothingFound(header, collapsed).startsWith("all vertices lie at one point. No pair of it is listed"));
+  assert.ok(shareOf({ ...collapsed, stages: [] }, 5, 0).startsWith("all vertices lie at one point"));
+});
+
+// Bug: of an audit's frames one that has collapsed is passed over by the button for bad ones.
+void test("a frame in which an object has collapsed is bad", () => {
+  const of = { contacts: [0, 0, 0], intersections: [0, 0, 0], fresh: [0, 0, 0], steps: [0, 1, 2] };
+  const strip = { ...of, collapsed: [false, true, false] } as unknown as Strip;
+  assert.deepEqual(badFrames(strip), [1]);
+  assert.equal(firstBadStep({ strip }), 1);
 });
 
 // Bug: 100 % of 1e20 pairs are called free, though one of them touches.

@@ -56,29 +56,35 @@ void BodiesTable::add(const std::vector<BodyContact>& contacts, const Statistics
   const Tally tally = tally_of_bodies(contacts);
   const std::optional<BodyContact> first = first_of(contacts);
   ++steps_asked_;
-  free_steps_ += first ? 0 : 1;
+  const bool is_free = !first && !bodies_.leaves_out();
+  free_steps_ += is_free ? 1 : 0;
+  if (!is_free && !first_not_free_) first_not_free_ = steps_asked_;
   if (first && !first_) first_ = {steps_asked_, *first};
   total_.add_counts(tally);
   timing_ += timing;
   if (json_)
     steps_.push_back(step_json(tally, first, statistics, timing));
   else if (is_one())
-    print_tally(tally);
+    print_tally(tally, !bodies_.leaves_out());
   else
     print_row(tally, timing);
 }
 
 void BodiesTable::print_row(const Tally& tally, const Timing& timing) const {
   fmt::print("{:>5} {:>11} {:>11} {:>14} {:>10}{}\n", steps_asked_, grouped(tally.vf), grouped(tally.ee),
-             tally.is_free() ? std::string("end") : no_later(tally.toi_lower), readable(timing.warm.total),
-             of_loose_points(tally.ve, tally.vv));
+             bodies_.leaves_out() ? "0"
+             : tally.is_free()    ? std::string("end")
+                                  : no_later(tally.toi_lower),
+             readable(timing.warm.total), of_loose_points(tally.ve, tally.vv));
   std::fflush(stdout);
 }
 
 Json BodiesTable::step_json(const Tally& tally, const std::optional<BodyContact>& contact, const Statistics& statistics,
                             const Timing& timing) const {
   Json json{{"step", steps_asked_}, {"contacts", json_of(tally)}, {"unresolved", tally.unresolved}};
-  add_bracket(json, tally.is_free(), tally.toi_lower, tally.toi_upper);
+  const bool is_of_all = !bodies_.leaves_out();
+  add_bracket(json, tally.is_free() && is_of_all, is_of_all ? tally.toi_lower : 0, tally.toi_upper);
+  json["collapsed"] = !is_of_all;
   json["contact"] = contact ? json_of(*contact) : Json();
   if (contact) json["contact"]["bodies"] = names_of(*contact, bodies_.names());
   json["ignored"] = statistics.ignored;
@@ -98,7 +104,7 @@ Json BodiesTable::totals_json(const Options& options, const Statistics& statisti
             {"contacts", json_of(total_)},
             {"unresolved", total_.unresolved},
             {"free_steps", free_steps_},
-            {"first_not_free", first_ ? Json(first_->step) : Json()},
+            {"first_not_free", first_not_free_ ? Json(*first_not_free_) : Json()},
             {"seconds", {{"total", timing_.warm.total}}},
             {"peak_memory_bytes", peak_memory_bytes()},
             {"threads", statistics.threads},
@@ -115,8 +121,9 @@ void BodiesTable::print_totals(const Options& options, const Statistics& statist
     fmt::print("{:>5} {:>11} {:>11} {:>14} {:>10}{}\n", "total", grouped(total_.vf), grouped(total_.ee),
                fmt::format("{}/{} free", free_steps_, steps_asked_), readable(timing_.warm.total),
                of_loose_points(total_.ve, total_.vv));
-  if (first_ && !is_one()) fmt::print("\nfirst not free  step {}\n", first_->step);
-  if (first_) print_contact(first_->contact, names_of(first_->contact, bodies_.names()));
+  if (first_not_free_ && !is_one()) fmt::print("\nfirst not free  step {}\n", *first_not_free_);
+  if (first_ && first_->step == first_not_free_)
+    print_contact(first_->contact, names_of(first_->contact, bodies_.names()));
   if (is_one()) print_ignored(statistics);
   if (is_free()) start.print_for_bodies();
   if (is_one()) print_costs(statistics, timing_, repeat);

@@ -21,7 +21,7 @@ class BodiesTable {
   /// Steps come in order; `statistics` of the last question.
   void add(const std::vector<BodyContact>& contacts, const Statistics& statistics, const Timing& timing);
   void print_totals(const Options& options, const Statistics& statistics, const StartCheck& start, int repeat);
-  bool is_free() const { return !first_; }
+  bool is_free() const { return free_steps_ == steps_asked_; }
 
  private:
   struct First {
@@ -41,6 +41,7 @@ class BodiesTable {
   Tally total_;
   std::size_t steps_asked_ = 0, free_steps_ = 0;
   std::optional<First> first_;
+  std::optional<std::size_t> first_not_free_;  ///< a step with a contact, or of which a body was left out
   Timing timing_;
   Json steps_ = Json::array();
 };

@@ -15,6 +15,21 @@ MovingBodies::MovingBodies(const std::filesystem::path& path) : path_(path), fil
     if (!body.frames.empty()) frames_.emplace(i, MovingFrames(body.frames)).first->second.require_no_gap();
     motions_.push_back(motion_from(i, body.frames.empty() ? std::vector<Point>() : mesh_of(i).positions));
   }
+  for (const auto& [i, frames] : frames_)
+    collapse_.emplace(i, CollapseCheck(meshes_.emplace(i, io::mesh_of(frames.first())).first->second));
+}
+
+void MovingBodies::leave_out_collapsed(World& world) {
+  leaves_out_ = false;
+  for (auto& [i, collapse] : collapse_) {
+    const auto name_of = [&](std::size_t frame) { return frames_.at(i).paths()[frame].string(); };
+    const auto& motion = std::get<Deforming>(motions_[i]);
+    collapse.clear();
+    collapse.look(name_of(step_ - 1), motion.start);
+    collapse.look(name_of(step_), motion.end);
+    world.set_enabled(static_cast<BodyId>(i), collapse.passes());
+    leaves_out_ = leaves_out_ || !collapse.passes();
+  }
 }
 
 std::size_t MovingBodies::count_of(bool moves, bool deforms) const {

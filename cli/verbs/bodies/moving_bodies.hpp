@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/collapse_check.hpp"
 #include "cli/verbs/moving_frames.hpp"
 #include "io/bodies/bodies_file.hpp"
 #include "tamis/world.hpp"
@@ -31,6 +32,11 @@ class MovingBodies {
   World world(const Options& options) const;
   /// Moves the bodies of `world` on to the next step. Reads frames: throws io::FileError.
   void go_on(World& world);
+  /// Leaves deforming bodies in which an object has collapsed out of the world's answers to the present step, and takes
+  /// the others in. Notes on stderr which.
+  void leave_out_collapsed(World& world);
+  /// Was a body left out of the present step? Then nothing is proven of it.
+  bool leaves_out() const { return leaves_out_; }
 
  private:
   /// The body's motion in the present step. `start`: where a deforming body is at t=0.
@@ -39,7 +45,10 @@ class MovingBodies {
   std::filesystem::path path_;
   io::BodiesFile file_;
   std::vector<std::string> names_;
-  std::map<std::size_t, MovingFrames> frames_;  ///< of deforming bodies
+  std::map<std::size_t, MovingFrames> frames_;  ///< of deforming bodies, as the next two
+  std::map<std::size_t, Mesh> meshes_;
+  std::map<std::size_t, CollapseCheck> collapse_;
+  bool leaves_out_ = false;
   std::size_t step_ = 1;
   std::vector<BodyMotion> motions_;
 };

@@ -41,8 +41,9 @@ class Path(abc.ABC):
         return f"{type(self).__name__}({self.vertex_count} vertices)"
 
     def __reduce__(self) -> Any:
+        kind = type(self).__name__
         raise TypeError(
-            f"a {type(self).__name__} cannot be pickled or copied: pickle what it was made of, and make one where you need it"
+            f"a {kind} cannot be pickled or copied: pickle what it was made of, and make one where you need it"
         )
 
 

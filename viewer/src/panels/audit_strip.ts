@@ -1,7 +1,7 @@
 // The strip of an audit's frames: bad frames stand out, and a click shows the frame at its place.
 import { button, Drawing, el, themed } from "../dom";
 import { counted, grouped } from "../numbers";
-import { badFrames, newFrames, type Strip } from "../scene/header";
+import { badFrames, isBad, newFrames, type Strip } from "../scene/header";
 import type { Session } from "../session";
 
 /** The number of the frame at which a step of the scene ends. */
@@ -20,7 +20,7 @@ function describe(strip: Strip, frame: number): string {
   const named = `frame ${frame}, ${strip.names[frame]}: `;
   const problem = strip.problems[frame];
   if (problem !== undefined) return `${named}not asked about: ${problem}`;
-  const found: string[] = [];
+  const found = strip.collapsed[frame] ? ["an object has collapsed"] : [];
   if (strip.asks_intersections) found.push(counted(strip.intersections[frame], "intersection"));
   if (strip.has_step[frame]) found.push(counted(strip.contacts[frame], "contact"));
   if (strip.fresh[frame] > 0) found.push(`${grouped(strip.fresh[frame])} of them new since the frame before`);
@@ -28,11 +28,12 @@ function describe(strip: Strip, frame: number): string {
   return named + (found.join(", ") || "nothing was asked about it") + absent;
 }
 
-/** The colour of a frame's line: what was asked about and is free, what was not asked about, and the rest. */
+/** The colour of a frame's line: not asked about, collapsed, asked about and free, and the rest. */
 function lineOf(strip: Strip, frame: number): string {
   if (strip.problems[frame] !== undefined) return "--first";
+  if (strip.collapsed[frame]) return "--second";
   const isAsked = strip.asks_intersections || strip.has_step[frame];
-  if (isAsked && strip.contacts[frame] + strip.intersections[frame] === 0) return "--free";
+  if (isAsked && !isBad(strip, frame)) return "--free";
   return "--line";
 }
 
@@ -50,7 +51,7 @@ function drawBars(context: CanvasRenderingContext2D, strip: Strip, width: number
       context.fillRect(i * wide, upward ? middle - 1 - high : middle + 2, Math.max(wide - 1, 1.5), high);
     });
   };
-  const colours = Object.fromEntries(["--free", "--line", "--first"].map((name) => [name, themed(name)]));
+  const colours = Object.fromEntries(["--free", "--line", "--first", "--second"].map((name) => [name, themed(name)]));
   strip.steps.forEach((step, i) => {
     context.fillStyle = colours[lineOf(strip, i)];
     context.globalAlpha = step < 0 ? 0.45 : 1;
@@ -106,7 +107,13 @@ export function auditStrip(session: Session, strip: Strip): HTMLElement[] {
   const buttons = el(
     "div",
     { class: "next-frames" },
-    nextButton(session, strip, badFrames(strip), "bad", "Next frame with an intersection or a contact"),
+    nextButton(
+      session,
+      strip,
+      badFrames(strip),
+      "bad",
+      "Next frame with an intersection, a contact or a collapsed object",
+    ),
     nextButton(session, strip, newFrames(strip), "new", "Next frame with a pair that the frame before does not have"),
   );
   return [buttons, el("div", { class: "lane" }, drawing.canvas), readout];

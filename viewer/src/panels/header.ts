@@ -5,7 +5,7 @@ import type { Actions } from "../actions";
 import type { Session } from "../session";
 import type { Switch } from "../store";
 import { isPose, namesOf, nounOf } from "../scene/header";
-import { freeBefore, hasSieve, hasStep, kIntersections, nothingFound } from "../scene/proofs";
+import { freeBefore, hasSieve, hasStep, kIntersections, leftOut, nothingFound } from "../scene/proofs";
 import { contactsOf } from "../scene/scene";
 
 /** In characters. The full name is shown when the pointer rests on it. */
@@ -66,13 +66,16 @@ function sentence({ view, scene, store }: Session): (Node | string)[] {
     const { fresh, steps } = scene.header.strip;
     const isNew = fresh[steps.indexOf(store.now.step)];
     const total = el("b", { id: "count", "data-count": count }, found.join(", "));
-    const free = view.step.header.toi_lower === null ? "." : `. ${freeBefore(scene.header, view.step.header).join("")}`;
+    const { header } = view.step;
+    const free = header.toi_lower === null ? "." : `. ${leftOut(header) || freeBefore(scene.header, header).join("")}`;
     return [mesh, total, isNew > 0 ? `, ${grouped(isNew)} new since the frame before` : ", none of them new", free];
   }
   const found = el("b", { id: "count", "data-count": count }, counted(count, noun));
-  if (isPose(scene.header)) return [mesh, found, kIntersections];
+  if (isPose(scene.header)) return [mesh, found, kIntersections, ` ${leftOut(view.step.header)}`];
   const unresolved = contacts.unresolved > 0 ? `, ${grouped(contacts.unresolved)} of them unresolved` : "";
   const [before, time, after] = freeBefore(scene.header, view.step.header);
+  const collapsed = leftOut(view.step.header);
+  if (collapsed) return [mesh, found, `${unresolved}. ${collapsed}`];
   return [mesh, found, `${unresolved}. ${before}`, el("b", {}, time), after];
 }
 

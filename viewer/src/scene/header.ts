@@ -26,6 +26,8 @@ export interface StepHeader {
   complete: boolean;
   /** How many pairs touch at the start and were ignored. */
   ignored: number;
+  /** Which objects have collapsed: they were left out, and nothing is proven of the step. */
+  collapsed?: string;
   /** Only in audits: the frames at its start and end; the same frame twice if no step leads to the frame. */
   ends?: [number, number];
 }
@@ -44,6 +46,8 @@ export interface Strip {
   intersections: number[];
   /** How many of both the frame before did not have. */
   fresh: number[];
+  /** Whether an object has collapsed in the frame. */
+  collapsed: boolean[];
   /** For each frame the scene's step that ends there; -1: the scene does not hold it. */
   steps: number[];
 }
@@ -74,9 +78,12 @@ export const namesOf = (header: SceneHeader, step: number): string[] =>
 
 const shownFrames = ({ steps }: Strip): number[] => steps.flatMap((step, frame) => (step < 0 ? [] : [frame]));
 
-/** The frames that the scene holds and that have intersections, or contacts in the step to them. */
-export const badFrames = (strip: Strip): number[] =>
-  shownFrames(strip).filter((frame) => strip.contacts[frame] + strip.intersections[frame] > 0);
+/** Whether a frame has intersections or a collapsed object, or the step to it contacts. */
+export const isBad = (strip: Strip, frame: number): boolean =>
+  strip.collapsed[frame] || strip.contacts[frame] + strip.intersections[frame] > 0;
+
+/** The bad frames that the scene holds. */
+export const badFrames = (strip: Strip): number[] => shownFrames(strip).filter((frame) => isBad(strip, frame));
 
 /** Those that have pairs which the frame before did not have. */
 export const newFrames = (strip: Strip): number[] => shownFrames(strip).filter((frame) => strip.fresh[frame] > 0);

@@ -34,8 +34,13 @@ export function withoutContacts({ toi_lower: lower, ignored }: StepHeader): stri
 /** Whether a step that ends at an audit's frame was asked about. */
 export const hasStep = ({ ends }: StepHeader): boolean => ends === undefined || ends[0] !== ends[1];
 
+/** The sentence on objects that were left out; empty if none were. */
+export const leftOut = ({ collapsed }: StepHeader): string =>
+  collapsed === undefined ? "" : `${collapsed}. No pair of it is listed, and nothing is known of it.`;
+
 /** The sentence for a step or frame without pairs. */
 export function nothingFound(header: SceneHeader, step: StepHeader): string {
+  if (step.collapsed !== undefined) return leftOut(step);
   if (!header.strip)
     return isPose(header)
       ? "no edge passes through or touches a triangle that shares no vertex with it, proven."
@@ -102,6 +107,7 @@ export function percentWithout(left: number, all: number): string {
 
 /** How much of all pairs does not touch. Pairs that no question was asked about are among them. */
 export function shareOf(step: StepHeader, all: number, left: number): string {
+  if (step.collapsed !== undefined) return leftOut(step);
   if (!step.complete) return "Only a part of the contacts that were found is in this page. Areas are true to scale.";
   if (left === 0 && step.toi_lower !== null) return withoutContacts(step);
   const ignored = step.ignored > 0 ? `, or touch at the start and are ignored (${step.ignored})` : "";

@@ -24,7 +24,7 @@ class ContactsByMethod final : public cli::Contacts {
   }
 
  private:
-  Detector detector_for(Mesh mesh, Options options) const override {
+  Detector detector_for(Mesh mesh, tamis::Options options) const override {
     return make_detector(std::move(mesh), options_of(std::move(options), method_, bounding_volume_));
   }
 

@@ -23,6 +23,25 @@ void leave_out_kept(const MotionView& motion, const KeepRule& rule, PairBuffer& 
   pairs.count = count;
 }
 
+/// Of the pairs in `left`, bits of the lanes from `first` on, those that are proven to keep the fraction on the whole
+/// step, by the same doubles as keeps_distance_until. Between long features that nearly touch an axis in floats tilts
+/// too much, and is_kept() asks for too much room.
+template <PairKind kind>
+unsigned kept_to_end(const MotionView& motion, const KeepRule& rule, const PairBuffer& pairs, int first,
+                     unsigned left) {
+  unsigned kept = 0;
+  for (int low = 0; low < kFloatLanes; low += kDoubleLanes) {
+    const unsigned asked = left >> low & ((1u << kDoubleLanes) - 1);
+    if (!asked) continue;
+    const auto m = load_motion<kind>(motion.vertices, pairs, first + low, motion.separation);
+    const KeptGap<kind, DoubleLanes> gap(m, DoubleLanes(rule.fraction));
+    unsigned proven = bits(gap.is_kept_to_end());
+    if (asked & ~proven) proven |= bits(gap.is_kept_to_end(kTurningGapParts));
+    kept |= (asked & proven) << low;
+  }
+  return kept;
+}
+
 /// Turning axes come first, although they cost most: they leave few of the pairs.
 template <PairKind kind>
 void may_end_step(const MotionView& motion, const KeepRule& rule, PairBuffer& in, PairBuffer& out) {
@@ -35,6 +54,7 @@ void may_end_step(const MotionView& motion, const KeepRule& rule, PairBuffer& in
     unsigned left = lanes_in_use(in, first, kFloatLanes) & ~bits(gap.is_kept(until));
     if (left) left &= ~bits(StartGap::exceeds<kind>(m, FloatLanes(rule.reach_per_speed)));
     if (left) left &= ~bits(gap.is_kept(until, kTurningGapParts));  // an axis turns less in each part
+    if (left) left &= ~kept_to_end<kind>(motion, rule, in, first, left);
     for_each_bit(left, [&](int lane) { copy_pair(in, first + lane, out); });
   }
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "distance/kept_gap.hpp"
 #include "distance/orthogonal_axis.hpp"
 #include "exact/start_distance.hpp"
 #include "motion/difference_corners.hpp"
@@ -65,6 +67,17 @@ double keeps_without_clearance_until(PairKind kind, const PairPoints& points, co
   return again.touches ? std::min(again.toi_lower, 1 - kRoundoff) : 1;
 }
 
+/// Proves what advancement may lose to rounding, and proves the same in lanes (kernels/step_length_kernels.hpp).
+bool is_kept_to_end(PairKind kind, const PairMotion<double>& m, double fraction) {
+  return with_kind(kind, [&](auto k) {
+    if constexpr (can_cross(k())) {
+      const KeptGap<k(), double> gap(m, fraction);
+      return gap.is_kept_to_end() || gap.is_kept_to_end(kTurningGapParts);
+    }
+    return false;
+  });
+}
+
 }  // namespace
 
 double keeps_distance_until(PairKind kind, const PairPoints& points, const DistanceRule& rule, double until,
@@ -87,8 +100,11 @@ double keeps_distance_until(PairKind kind, const PairPoints& points, const Dista
     return keeps_without_clearance_until(kind, points, rule, decided_by);
   if (stands_still) return 1;
   if (by_speed == 0 || by_speed >= until) return std::min(by_speed, 1.0);
-  m.separation = kept(start.high, m, rule.fraction, 1);
-  return apart_until(kind, m, by_speed, until);
+  const double separation = std::exchange(m.separation, kept(start.high, m, rule.fraction, 1));
+  const double time = apart_until(kind, m, by_speed, until);
+  if (time >= until) return time;
+  m.separation = separation;
+  return is_kept_to_end(kind, m, rule.fraction) ? 1 : time;
 }
 
 double fraction_is_left_at(PairKind kind, const PairPoints& points, const DistanceRule& rule, double lower) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "lab/detector.hpp"
 #include "support/contact_sets.hpp"
@@ -151,6 +152,46 @@ TEST_P(KnownStep, StopsAtTheEndOfTheRangeOfDoubles) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, KnownStep, testing::ValuesIn(kMethods),
                          [](const testing::TestParamInfo<Method>& method) { return test_name(name_of(method.param)); });
+
+/// A hub at rest, and a rim that begins to wave. `faces`: slivers from the hub to the rim; else spokes and rim edges.
+Scene waving_fan(Index slivers, bool faces) {
+  Scene scene;
+  const Index hub = scene.add_vertex({0, 0, 0}, {0, 0, 0}, 0);
+  for (Index i = 0; i < slivers; ++i) {
+    const double angle = 2 * std::numbers::pi * i / slivers;
+    const Point p{std::cos(angle), std::sin(angle), 0};
+    scene.add_vertex(p, {p[0], p[1], 0.1 * std::sin(7 * angle)}, 0);
+  }
+  for (Index i = 0; i < slivers; ++i) {
+    const Index from = 1 + i, to = 1 + (i + 1) % slivers;
+    if (faces)
+      scene.faces.push_back({hub, from, to});
+    else
+      scene.loose_edges.insert(scene.loose_edges.end(), {{hub, from}, {from, to}});
+  }
+  return scene;
+}
+
+std::uint64_t last_stage(const Statistics& statistics) {
+  const StageCount& last = statistics.stages.back();
+  return last.vf + last.ee + last.ve + last.vv;
+}
+
+// Bug: long slivers that are near each other for their length were decided one by one, tens for each sliver, and more
+// the finer the fan.
+TEST(SafeStep, DecidesHardlyAnyPairOfAFanSingly) {
+  for (const bool faces : {true, false}) {
+    const Scene scene = waving_fan(4000, faces);
+    const Mesh mesh = scene.mesh();
+    for (const double fraction : {0.1, 0.5}) {
+      Detector detector(mesh);
+      EXPECT_EQ(detector.safe_step(scene.step(), fraction).lower, 1);
+      EXPECT_LT(last_stage(detector.statistics()), 400u) << faces << ' ' << fraction;
+      detector.truncate(scene.step(), fraction);
+      EXPECT_LT(last_stage(detector.statistics()), 400u) << faces << ' ' << fraction;
+    }
+  }
+}
 
 }  // namespace
 }  // namespace tamis::test

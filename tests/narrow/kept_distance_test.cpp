@@ -167,5 +167,43 @@ TEST(KeptGap, ProvesNothingThatIsNotSoWhereSquaresUnderflow) {
   }
 }
 
+/// The same, nearly turned and stretched as a whole: the first feature's way differs by up to the distance.
+Motion mapped(PairKind kind, double distance, Random& random) {
+  Motion m = nearly_touching(kind, distance, random);
+  Point rows[3];
+  for (Point& row : rows) row = random.point_between(-0.002, 0.002);
+  const Point own = random.point_between(-distance, distance);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point& x = m.start[i];
+      m.end[i][k] =
+          x[k] + rows[k][0] * x[0] + rows[k][1] * x[1] + rows[k][2] * x[2] + (i < second_feature(kind) ? own[k] : 0);
+    }
+  return m;
+}
+
+// Bugs: an axis that asks for too little; one that asks for as much room as advancement does, and proves nothing of
+// pairs that nearly touch.
+TEST(KeptGap, ProvesOnTheWholeStepWhatTheOracleSees) {
+  Random random(61);
+  int proven = 0;
+  for (int i = 0; i < 200; ++i)
+    for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge}) {
+      const Motion m = mapped(kind, 1e-5, random);
+      const double fraction = 0.1 + 0.8 * random.unit();
+      const PairMotion<double> motion = make_motion(kind, to_points(m), 0);
+      const bool is_kept = with_kind(kind, [&](auto k) {
+        if constexpr (can_cross(k())) return KeptGap<k(), double>(motion, fraction).is_kept_to_end(kTurningGapParts);
+        return false;
+      });
+      proven += is_kept;
+      if (!is_kept) continue;
+      EXPECT_FALSE(comes_within(kind, m, must_keep({fraction, 0}, distance_below(kind, m), 1), {0, 1}))
+          << describe(kind, m);
+      EXPECT_EQ(find(kind, m, {fraction, 0}).lower, 1) << describe(kind, m);
+    }
+  EXPECT_GT(proven, 100);
+}
+
 }  // namespace
 }  // namespace tamis::test

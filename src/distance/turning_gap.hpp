@@ -62,9 +62,11 @@ class TurningGap {
 
   /// Is the pair proven farther apart than its separation during `time`?
   Mask<T> stays_apart(const TimeInterval<T>& time, int parts) const {
-    const T size = m_.size_d + m_.size_e + m_.size_f;
-    return exceeds(m_.separation + error_bounds::bound<T>(error_bounds::kTurningGap, size), at(time.t_in), time.t_out,
-                   parts);
+    return exceeds(least(), at(time.t_in), time.t_out, parts);
+  }
+  /// What exceeds() must be asked with to prove that.
+  T least() const {
+    return m_.separation + error_bounds::bound<T>(error_bounds::kTurningGap, m_.size_d + m_.size_e + m_.size_f);
   }
 
  private:

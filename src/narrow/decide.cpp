@@ -1,6 +1,7 @@
 #include "narrow/decide.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "distance/turning_gap.hpp"
@@ -8,6 +9,8 @@
 #include "motion/pair_kinds.hpp"
 #include "motion/polynomials.hpp"
 #include "narrow/contact_normal.hpp"
+#include "narrow/crossing_root.hpp"
+#include "narrow/crossing_slope.hpp"
 #include "narrow/decisions.hpp"
 #include "numerics/assert.hpp"
 
@@ -47,26 +50,20 @@ std::optional<Decision> decide_by_doubles(const PairInStep& pair, const TimeInte
   return stays_apart(pair, clip) ? std::optional(Decision{}) : std::nullopt;
 }
 
-/// The same of features that come closer all the time, and turn ever faster: parts of the time become shorter.
-bool stays_apart_closing_in(const PairInStep& pair, TimeInterval<double> time) {
-  constexpr int kMostParts = 12;
-  constexpr double kPart = 0.875;
-  if (!is_finite(pair.motion)) return false;
-  return with_kind(pair.kind, [&](auto kind) {
-    const TurningGap<kind(), double> gap(pair.motion);
-    for (int i = 0; i < kMostParts; ++i) {
-      if (gap.stays_apart(time, 1)) return true;
-      const double cut = time.t_in + kPart * (time.t_out - time.t_in);
-      if (!gap.stays_apart({time.t_in, cut}, kTurningGapParts)) return false;
-      time.t_in = cut;
-    }
-    return false;
-  });
-}
-
 /// Is the answer of integers not needed?
 bool is_needless(const PairInStep& pair, const TimeInterval<double>& clip, double needed_until) {
   return needed_until < 1 && (clip.t_in > needed_until || stays_apart_closing_in(pair, {clip.t_in, needed_until}));
+}
+
+/// Can doubles not tell sharply when the pair touches, should it touch about this time? Proven where the coplanarity is
+/// so flat that no crossing is sharp, nor would be in a beginning of the step until then.
+bool is_flat_at(const PairInStep& pair, double time) {
+  constexpr double kWidestSharp = 1e-11, kMargin = 0.125;
+  const PairMotion<double>& m = pair.motion;
+  if (pair.separation > 0 || !can_cross(pair.kind) || !is_finite(m)) return false;
+  const double error = error_bounds::bound(error_bounds::kCoplanarityNow, m.size_d * m.size_e * m.size_f);
+  return std::fabs(crossing::slope(coplanarity_polynomial(m), time)) * kWidestSharp <
+         kMargin * time * time * time * error;
 }
 
 PairResult described(const PairInStep& pair, const Decision& decision) {
@@ -100,6 +97,11 @@ PairResult decide_further(const PairInStep& pair, PrecisionCount& decided_by, co
 
 PairResult decide(const PairInStep& pair, PrecisionCount& decided_by, const OfInterest& times) {
   TAMIS_ASSERT(0 <= times.latest && times.latest <= 1);
+  const double needed = times.needed_until;
+  if (needed < times.latest && is_flat_at(pair, needed) && stays_apart_closing_in(pair, {0, needed})) {
+    ++decided_by.scalar;
+    return {};
+  }
   const auto decided = decided_by_crossings(pair, times.latest);
   if (!decided) return decide_further(pair, decided_by, times);
   ++decided_by.scalar;

@@ -11,7 +11,7 @@ namespace tamis {
 /// Which contacts matter, times in [0,1].
 struct OfInterest {
   double latest = 1;  ///< as in PairOptions
-  /// A pair that only integers can decide counts as free if it is free until then.
+  /// A pair of which doubles cannot tell when it touches counts as free if it is free until then.
   double needed_until = 1;
 };
 

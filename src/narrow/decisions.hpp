@@ -13,6 +13,13 @@
 
 namespace tamis {
 
+// 0. Nothing matters but whether the pair is free until a time: closing_in.cpp.
+
+/// Is the pair proven farther apart than its separation during `time`? Succeeds up to shortly before a time at which
+/// whole scenes come to one line or point: there signs are lost, but axes orthogonal to the line are not. Costs a
+/// thousand instructions where one axis suffices. REQUIRES: `time` in [0,1], in order.
+bool stays_apart_closing_in(const PairInStep& pair, const TimeInterval<double>& time);
+
 // 1. One crossing, or two in halves of the time: decided_by_crossings.cpp.
 
 /// Nothing where one or two crossings do not decide the pair, or where its distance does (is_about_distance). A pair

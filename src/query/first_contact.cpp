@@ -68,9 +68,8 @@ EarliestContact FirstContact::answer() const {
   if (!other.contact) return crowd;
   const bool is_crowd_first = crowd_time_ < other.toi_lower ||
                               (crowd_time_ == other.toi_lower && comes_before(*first_of_crowd_, *other.contact));
-  EarliestContact first = is_crowd_first ? crowd : other;
-  first.toi_upper = std::min(crowd.toi_upper, other.toi_upper);
-  return first;
+  if (is_crowd_first) return crowd;
+  return {other.toi_lower, std::min(crowd.toi_upper, other.contact->toi_upper), other.contact};
 }
 
 double FirstContact::needed_until(PairKind kind, const PairVertices& vertices, double latest) const {

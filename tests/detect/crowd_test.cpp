@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <functional>
 
 #include "support/contact_sets.hpp"
@@ -24,7 +25,7 @@ const Motion kMotions[] = {
      [](const Point& p) {
        return Point{-p[0], -p[1], p[2]};
      },
-     0.5, 0.5},
+     0.5, 0.05},
     {"through a point",
      [](const Point& p) {
        return Point{-p[0], -p[1], -p[2]};
@@ -50,6 +51,12 @@ const Motion kMotions[] = {
        return Point{-2 * p[1], 2 * p[0], -2 * p[2]};
      },
      1, 1},
+    {"a half turn about no axis of coordinates",
+     [](const Point& p) {
+       const double along = 2 * (p[0] * 2 + p[1] * 3 + p[2] * 6) / 49;
+       return Point{2 * along - p[0], 3 * along - p[1], 6 * along - p[2]};
+     },
+     0.5, 0.05},
 };
 
 struct Sheets {
@@ -118,6 +125,29 @@ TEST(Crowd, NeitherThreadsNorInstructionsChangeTheAnswer) {
         }
       }
   }
+}
+
+/// Processor time, so that other programs do not count.
+double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+TEST(Crowd, CancellingIsAskedForAllTheTime) {
+  const Sheets sheets(10, kMotions[0]);
+  double last = seconds(), longest = 0;
+  long looks = 0;
+  Options options;
+  options.threads = 1;
+  options.is_cancelled = [&] {
+    longest = std::max(longest, seconds() - last);
+    last = seconds();
+    ++looks;
+    return false;
+  };
+  Detector detector(Mesh(2 * sheets.n * sheets.n, sheets.faces), options);
+  last = seconds();
+  EXPECT_FALSE(detector.contacts(sheets.step()).empty());
+  EXPECT_TRUE(detector.earliest(sheets.step()).contact);
+  EXPECT_GT(looks, 10000);
+  EXPECT_LT(std::max(longest, seconds() - last), 0.05);
 }
 
 }  // namespace

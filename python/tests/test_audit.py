@@ -54,7 +54,7 @@ def test_a_frame_that_was_never_written_is_one_fact(tmp_path: pathlib.Path) -> N
     """Bug: all pairs of a frame of zeros are listed, or the frame is called free because none is."""
     x, y = (axis.ravel().astype(float) for axis in np.meshgrid(range(30), range(30)))
     corners = np.array([i for i in range(29 * 30) if i % 30 < 29])[:, None]
-    faces = np.concatenate([corners + [0, 1, 31], corners + [0, 31, 30]])
+    faces = np.concatenate([corners + np.array(square) for square in ([0, 1, 31], [0, 31, 30])])
     sheet = np.stack([x, y, 0 * x], axis=1)
     report = tamis.audit([sheet, 0 * sheet, sheet], faces=faces)
     assert report.frames.has_collapsed.tolist() == [False, True, False]
@@ -64,7 +64,9 @@ def test_a_frame_that_was_never_written_is_one_fact(tmp_path: pathlib.Path) -> N
     assert report.frames.to_pandas()["has_collapsed"].tolist() == [False, True, False]
     report.save(tmp_path / "page.html")
     auditor = tamis.Auditor(tamis.Mesh(faces))
-    assert not auditor.add(sheet).has_collapsed and auditor.add(0 * sheet).has_collapsed
+    assert auditor.add(sheet).is_free
+    collapsed = auditor.add(0 * sheet)
+    assert collapsed.frame.has_collapsed and not collapsed.is_free
 
 
 def test_iterables() -> None:

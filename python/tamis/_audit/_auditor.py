@@ -35,11 +35,11 @@ class StepReport(NamedTuple):
 
     @property
     def is_free(self) -> bool:
-        """Whether the frame could be used, and no intersections and contacts were found in it and the step to it.
+        """Whether the frame could be used, and nothing was found in it and the step to it, nor an object collapsed.
 
         True is a proof; if `intersections` or `contacts` was False, it says nothing about these.
         """
-        return not self.problem and not len(self.pairs)
+        return not self.problem and not self.frame.has_collapsed and not len(self.pairs)
 
 
 class Auditor:

@@ -22,11 +22,11 @@ MovingBodies::MovingBodies(const std::filesystem::path& path) : path_(path), fil
 void MovingBodies::leave_out_collapsed(World& world) {
   leaves_out_ = false;
   for (auto& [i, collapse] : collapse_) {
-    const auto name_of = [&](std::size_t frame) { return frames_.at(i).paths()[frame].string(); };
+    const auto& paths = frames_.at(i).paths();
     const auto& motion = std::get<Deforming>(motions_[i]);
     collapse.clear();
-    collapse.look(name_of(step_ - 1), motion.start);
-    collapse.look(name_of(step_), motion.end);
+    collapse.look(paths[step_ - 1].string(), motion.start);
+    collapse.look(paths[step_].string(), motion.end);
     world.set_enabled(static_cast<BodyId>(i), collapse.passes());
     leaves_out_ = leaves_out_ || !collapse.passes();
   }

@@ -1,5 +1,7 @@
 #include "cli/verbs/bodies/moving_bodies.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "cli/command_line/messages.hpp"

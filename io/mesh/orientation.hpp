@@ -16,9 +16,9 @@ class ExactSum {
  public:
   void add(double x) {
     std::size_t kept = 0;
-    for (std::size_t i = 0; i < terms_.size(); ++i) {
-      const double sum = x + terms_[i], part = sum - x;
-      const double error = (x - (sum - part)) + (terms_[i] - part);
+    for (const double term : terms_) {
+      const double sum = x + term, part = sum - x;
+      const double error = (x - (sum - part)) + (term - part);
       if (error != 0) terms_[kept++] = error;
       x = sum;
     }

@@ -24,7 +24,7 @@ WeldedFrames::WeldedFrames(std::unique_ptr<audit::FrameSource> source, audit::Fr
 }
 
 audit::FramePointer WeldedFrames::next() {
-  const audit::FramePointer given = source_->next();
+  audit::FramePointer given = source_->next();
   if (!given || !given->mesh) return given;
   if (given->mesh != last_) {
     last_ = given->mesh;

@@ -25,7 +25,7 @@ class ContactsByMethod final : public cli::Contacts {
 
  private:
   Detector detector_for(Mesh mesh, tamis::Options options) const override {
-    return make_detector(std::move(mesh), options_of(std::move(options), method_, bounding_volume_));
+    return make_detector(std::move(mesh), options_of(options, method_, bounding_volume_));
   }
 
   std::string method_ = "paper", bounding_volume_ = kDefaultBoundingVolume;

@@ -1,3 +1,6 @@
+# Where the includes of everything outside the library begin.
+set(TAMIS_INCLUDES ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/tools ${PROJECT_SOURCE_DIR}/bindings)
+
 # Settings that all targets of the project share.
 function(tamis_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)

@@ -2,7 +2,7 @@
 """check_command_page.py COMMAND...: checks that docs/files-and-command.md names each verb, option and JSON key.
 
 Verbs and options are those of the command's own help; keys are those of the answers to the command lines of
-tests/hostile/inputs.py.
+tools/command/tests/hostile/inputs.py.
 """
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "tests/hostile"))
+sys.path.insert(0, str(ROOT / "tools/command/tests/hostile"))
 sys.dont_write_bytecode = True
 
 import discovery  # noqa: E402
@@ -50,7 +50,7 @@ def answer_of(command: str, verb: discovery.Verb) -> dict[str, object]:
         words = [str(pathlib.Path(command).resolve()), *(inputs.baseline(verb) or [verb.name]), "--json"]
         answer = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
     if answer.returncode == 2:
-        sys.exit(f"{answer.stderr}{PAGE}: say in tests/hostile/inputs.py how '{verb.name}' is asked")
+        sys.exit(f"{answer.stderr}{PAGE}: say in tools/command/tests/hostile/inputs.py how '{verb.name}' is asked")
     return json.loads(answer.stdout)
 
 

@@ -13,10 +13,10 @@ LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filt
 # Folders outside the library, and what each may include besides itself and the public headers.
 OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "audit", "io", "scenes", "numerics"],
            # Ranks find a frame together, and give it to their detectors.
-           "mpi/include": [], "mpi/src": ["mpi", "bounds", "detect", "numerics"], "mpi/command": ["mpi", "io", "cli"],
+           "mpi/include": [], "mpi/src": ["mpi", "bounds", "detect", "numerics"], "mpi/command": ["mpi", "io", "command"],
            "audit": [],
            # Files set the floating-point state as the library does.
-           "io": ["audit", "numerics", "paths"], "scenes": ["io"], "cli": ["audit", "io", "scenes"], "adapters": ["c", "io"],
+           "io": ["audit", "numerics", "paths"], "scenes": ["io"], "tools/command": ["audit", "io", "scenes"], "adapters": ["c", "io"],
            "bench/contenders": ["io", "scenes", "oracle", "bench", "lab"], "bench/distributed": ["bench"],
            "bench/stages": ["scenes", "io", "bench", "lab", *LAYER],
            "bench/exact": ["scenes", "io", "bench", "oracle", "support", *LAYER],
@@ -24,7 +24,7 @@ OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "audit", "io",
            "bench/paths": ["scenes", "bench"], "bench/questions": ["scenes", "io", "bench", "questions"],
            "bench/subspace": ["scenes", "bench", "lab"], "bench/worlds": ["scenes", "bench", "worlds"],
            # The laboratory: its methods may include all layers; its queries and its command may not.
-           "lab": ["scenes", *LAYER], "lab/queries": ["io", "lab"], "lab/command": ["io", "scenes", "cli", "lab"]}
+           "lab": ["scenes", *LAYER], "lab/queries": ["io", "lab"], "lab/command": ["io", "scenes", "command", "lab"]}
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 

@@ -78,7 +78,7 @@ def doors() -> dict[str, list[set[str]]]:
     distributed = methods("mpi/include/tamis/distributed.hpp", "Detector")
     if distributed - NO_QUESTIONS != python_methods("Detector", "distributed.py", "_ranks/*.py") - NO_QUESTIONS:
         sys.exit("tamis/distributed.hpp and tamis.distributed differ in their questions")
-    command = verbs("cli/verbs")
+    command = verbs("tools/command/verbs")
     return {
         "One mesh": [
             methods(DETECTOR, "Detector"),

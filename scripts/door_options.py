@@ -31,7 +31,7 @@ def keywords(owner: str, function: str, place: str) -> set[str]:
 
 def command_options(owner: str) -> set[str]:
     """Return what the classes of options that verbs share declare."""
-    source = text("cli/command_line/arguments.cpp")
+    source = text("tools/command/command_line/arguments.cpp")
     found: set[str] = set()
     for body in re.findall(rf"^void {owner}::declare.*?^}}", source, re.DOTALL | re.MULTILINE):
         for called in re.findall(r"(declare_\w+)\(options, \w+_\)", body):

@@ -1,8 +1,8 @@
 // The command `tamis-lab`: its verbs.
 #include <exception>
 
-#include "cli/command_line/messages.hpp"
-#include "cli/command_line/run_command.hpp"
+#include "command/command_line/messages.hpp"
+#include "command/command_line/run_command.hpp"
 #include "lab/command/verbs.hpp"
 
 namespace tamis::lab {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "cli/report.hpp"
+#include "command/report.hpp"
 #include "lab/queries/queries.hpp"
 #include "tamis/pair.hpp"
 

@@ -1,5 +1,5 @@
 // tamis-lab bench: the rows of `tamis bench` for several methods, whose answers are compared.
-#include "cli/verbs/bench.hpp"
+#include "command/verbs/bench.hpp"
 #include "lab/command/method_options.hpp"
 #include "lab/command/verbs.hpp"
 #include "lab/detector.hpp"

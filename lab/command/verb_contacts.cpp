@@ -1,5 +1,5 @@
 // tamis-lab contacts: `tamis contacts`, by a method of the caller's choice.
-#include "cli/verbs/contacts.hpp"
+#include "command/verbs/contacts.hpp"
 #include "lab/command/method_options.hpp"
 #include "lab/command/verbs.hpp"
 #include "lab/detector.hpp"

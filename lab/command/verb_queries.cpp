@@ -5,9 +5,9 @@
 #include <map>
 #include <memory>
 
-#include "cli/command_line/arguments.hpp"
-#include "cli/command_line/printable.hpp"
-#include "cli/output_file.hpp"
+#include "command/command_line/arguments.hpp"
+#include "command/command_line/printable.hpp"
+#include "command/output_file.hpp"
 #include "lab/command/query_score.hpp"
 #include "lab/command/verbs.hpp"
 #include "lab/queries/queries.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 #include <memory>
 
-#include "cli/command_line/verb.hpp"
+#include "command/command_line/verb.hpp"
 
 namespace tamis::lab {
 

@@ -7,8 +7,8 @@
 #include <exception>
 #include <thread>
 
-#include "cli/command_line/messages.hpp"
-#include "cli/command_line/run_command.hpp"
+#include "command/command_line/messages.hpp"
+#include "command/command_line/run_command.hpp"
 #include "mpi/command/verbs.hpp"
 
 namespace tamis::distributed {

@@ -1,6 +1,6 @@
 // Statistics of all ranks, for people and as JSON.
 #pragma once
-#include "cli/report.hpp"
+#include "command/report.hpp"
 #include "mpi/command/step_parts.hpp"
 #include "mpi/src/communicator.hpp"
 #include "tamis/distributed.hpp"

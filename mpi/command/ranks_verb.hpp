@@ -1,6 +1,6 @@
 // The common part of verbs about one step: ranks read their parts, all ranks ask, and rank 0 prints (main.cpp).
 #pragma once
-#include "cli/verbs/step_verb.hpp"
+#include "command/verbs/step_verb.hpp"
 #include "mpi/command/ranks_report.hpp"
 #include "mpi/command/step_parts.hpp"
 

@@ -3,7 +3,7 @@
 #include <numeric>
 #include <optional>
 
-#include "cli/step_files.hpp"
+#include "command/step_files.hpp"
 #include "io/scale_step.hpp"
 #include "mpi/command/ply_part.hpp"
 #include "mpi/src/agreement.hpp"

@@ -1,10 +1,10 @@
 // tamis-mpi contacts: all contacts of a step.
 #include <fmt/format.h>
 
-#include "cli/answers.hpp"
-#include "cli/command_line/printable.hpp"
-#include "cli/output_file.hpp"
-#include "cli/start_check.hpp"
+#include "command/answers.hpp"
+#include "command/command_line/printable.hpp"
+#include "command/output_file.hpp"
+#include "command/start_check.hpp"
 #include "io/output/contacts_csv.hpp"
 #include "mpi/command/ranks_verb.hpp"
 #include "mpi/command/verbs.hpp"

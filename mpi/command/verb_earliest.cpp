@@ -1,6 +1,6 @@
 // tamis-mpi earliest: the first contact of a step.
-#include "cli/answers.hpp"
-#include "cli/start_check.hpp"
+#include "command/answers.hpp"
+#include "command/start_check.hpp"
 #include "mpi/command/ranks_verb.hpp"
 #include "mpi/command/verbs.hpp"
 

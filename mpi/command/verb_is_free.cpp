@@ -1,6 +1,6 @@
 // tamis-mpi is-free: is the step free of contacts? Answers by exit code, too.
-#include "cli/answers.hpp"
-#include "cli/start_check.hpp"
+#include "command/answers.hpp"
+#include "command/start_check.hpp"
 #include "mpi/command/ranks_verb.hpp"
 #include "mpi/command/verbs.hpp"
 

@@ -1,6 +1,6 @@
 // tamis-mpi safe-step: how far a step may go so that every pair keeps a part of its distance.
-#include "cli/answers.hpp"
-#include "cli/start_check.hpp"
+#include "command/answers.hpp"
+#include "command/start_check.hpp"
 #include "mpi/command/ranks_verb.hpp"
 #include "mpi/command/verbs.hpp"
 

@@ -1,6 +1,6 @@
 // tamis-mpi sequence: the contacts of each pair of consecutive frames; each rank has a run of steps.
-#include "cli/verbs/sequence_steps.hpp"
-#include "cli/verbs/sequence_verb.hpp"
+#include "command/verbs/sequence_steps.hpp"
+#include "command/verbs/sequence_verb.hpp"
 #include "mpi/command/ply_part.hpp"
 #include "mpi/command/verbs.hpp"
 #include "mpi/src/agreement.hpp"

@@ -16,14 +16,14 @@ std::filesystem::path in_project(const std::string& path) { return std::filesyst
 // Bug: a format is read that is not documented, or that no fuzzer and no attack on the command tries.
 TEST(MeshFormats, EachIsDocumentedFuzzedAndAttacked) {
   const std::string page = test::bytes_of_file(in_project("docs/files-and-command.md"));
-  const std::string attacks = test::bytes_of_file(in_project("tests/hostile/attack_files.py"));
+  const std::string attacks = test::bytes_of_file(in_project("tools/command/tests/hostile/attack_files.py"));
   for (const MeshFormat& format : mesh_formats()) {
     const std::string name(format.name), extension(format.extension), target = extension.substr(1);
     EXPECT_TRUE(test::contains(page, "**" + name + "**")) << "describe it in docs/files-and-command.md, Mesh files";
     EXPECT_TRUE(exists(in_project("tests/fuzz/" + target + "_fuzz.cpp"))) << "make this target";
     EXPECT_TRUE(exists(in_project("tests/fuzz/corpus/" + target))) << "make this folder of inputs for the target";
     EXPECT_TRUE(test::contains(attacks, extension + "\""))
-        << "add a file of it to MESHES in tests/hostile/attack_files.py";
+        << "add a file of it to MESHES in tools/command/tests/hostile/attack_files.py";
   }
 }
 

@@ -1,6 +1,6 @@
 // tamis-mpi under mpirun, as a user would run it: its answers are tamis', its errors one sentence, its files complete
 // or not there.
-#include "cli/command.hpp"
+#include "command/tests/command.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The report of tamis-lab paper: our tables beside the paper's, and its claims one by one.
-#include "cli/report.hpp"
+#include "command/report.hpp"
 
 #include <fmt/format.h>
 

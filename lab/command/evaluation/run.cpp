@@ -4,7 +4,7 @@
 #include <ctime>
 #include <tuple>
 
-#include "cli/step_files.hpp"
+#include "command/step_files.hpp"
 #include "io/error.hpp"
 #include "io/scale_step.hpp"
 #include "lab/detector.hpp"

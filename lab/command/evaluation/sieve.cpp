@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "cli/report.hpp"
+#include "command/report.hpp"
 #include "lab/command/evaluation/figures.hpp"
 
 namespace tamis::lab {

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "cli/command_line/messages.hpp"
-#include "cli/command_line/option_list.hpp"
-#include "cli/command_line/printable.hpp"
-#include "cli/output_file.hpp"
-#include "cli/progress.hpp"
+#include "command/command_line/messages.hpp"
+#include "command/command_line/option_list.hpp"
+#include "command/command_line/printable.hpp"
+#include "command/output_file.hpp"
+#include "command/progress.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mesh/frames.hpp"
 #include "lab/command/evaluation/earlier.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "cli/command.hpp"
+#include "command/tests/command.hpp"
 
 namespace tamis::test {
 namespace {

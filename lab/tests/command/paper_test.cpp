@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "cli/command.hpp"
+#include "command/tests/command.hpp"
 
 namespace tamis::test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "cli/command.hpp"
+#include "command/tests/command.hpp"
 
 namespace tamis::test {
 namespace {

@@ -1,0 +1,53 @@
+// `--out` of the verbs that show contacts or intersections: tables, files to look at, pictures.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "command/command_line/option_list.hpp"
+#include "io/picture/picture.hpp"
+#include "io/view/outputs.hpp"
+
+namespace tamis::cli {
+
+enum class Shown { steps, pose };
+
+/// The file to write, and how a picture looks.
+class LookOutput {
+ public:
+  /// `path`: the default, "" for none. `shown`: a pose has fewer formats, and no time.
+  LookOutput(std::string path, io::NoExtension without, Shown shown = Shown::steps)
+      : path_(std::move(path)), without_(without), shown_(shown) {}
+
+  void declare(OptionList& options);
+  /// To be called before anything is read. Throws io::FileError if no output has this extension, InvalidOptions if
+  /// pictures cannot be made, or if an option of pictures comes without a picture.
+  void check() const;
+  /// To be called before the work. Throws as check() and require_output() do, and if the output cannot hold so many
+  /// steps; 0 steps: a pose.
+  void require(const std::vector<std::filesystem::path>& inputs, std::size_t steps, bool answer_is_alone) const;
+  /// Writes nothing if there is no output.
+  void write(const io::Recording& recording) const;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::vector<io::Output> choices() const;
+  /// REQUIRES: a path.
+  io::Output output() const;
+  io::PictureOptions picture() const;
+
+  std::string path_;
+  io::NoExtension without_;
+  Shown shown_;
+  Option time_option_;
+  double time_ = io::PictureOptions().time;
+  std::vector<double> from_;  ///< as given
+  std::vector<int> size_;     ///< as given
+};
+
+/// The recording of a pose. Valid as long as the detector. REQUIRES: the detector's last answer is `found`.
+io::Recording recording_of(const Detector& detector, const std::filesystem::path& name, std::vector<Point> positions,
+                           const std::vector<Intersection>& found);
+
+}  // namespace tamis::cli

@@ -1,0 +1,69 @@
+#include "command/output_file.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "io/atomic_file.hpp"
+#include "io/format.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::cli {
+namespace {
+
+/// The type of the file, if both lead to the same one; otherwise 0.
+mode_t common_type(int stream, const std::filesystem::path& output) {
+  struct stat of_stream {
+  }, of_output{};
+  const bool is_same = fstat(stream, &of_stream) == 0 && stat(output.c_str(), &of_output) == 0 &&
+                       of_stream.st_dev == of_output.st_dev && of_stream.st_ino == of_output.st_ino;
+  return is_same ? of_stream.st_mode & S_IFMT : 0;
+}
+
+/// A pipe or terminal may take the answer and the output. A regular file would keep only the later of them.
+void require_not_taken(const std::filesystem::path& output) {
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+    if (S_ISREG(common_type(stream, output)))
+      throw InvalidOptions(
+          fmt::format("--out {} is where the answer or its notes go: give another name", output.string()));
+}
+
+void require_not_mixed(const std::filesystem::path& output) {
+  const mode_t type = common_type(STDOUT_FILENO, output);
+  if (S_ISFIFO(type) || S_ISSOCK(type))
+    throw InvalidOptions(fmt::format(
+        "--out {} is the pipe that the answer goes to, and this answer (JSON, or rows that come one by one) must not "
+        "mix with anything: give another name, or in bash a pipe of its own, as in --out >(head)",
+        output.string()));
+}
+
+}  // namespace
+
+void declare_output(OptionList& options, std::string& path, const std::string& help) {
+  options.add_text("--out", path, help).shown_as("FILE");
+}
+
+void require_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,
+                    bool answer_is_alone, std::string_view extension) {
+  if (output.empty()) return;
+  std::error_code error;
+  for (const std::filesystem::path& input : inputs)
+    if (std::filesystem::equivalent(output, input, error))
+      throw InvalidOptions(fmt::format("--out {} would overwrite an input: give another name", output.string()));
+  require_not_taken(output);
+  if (answer_is_alone) require_not_mixed(output);
+  if (!extension.empty()) io::format_of(output, {&extension, 1});
+  io::require_writable(output);
+}
+
+void require_two_outputs(const std::filesystem::path& first, const std::filesystem::path& second) {
+  namespace fs = std::filesystem;
+  if (first.empty() || second.empty()) return;
+  std::error_code error;
+  // The first compares files that are there already, by whatever links; the second names.
+  const auto full_name = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
+  if (fs::equivalent(first, second, error) || full_name(first) == full_name(second))
+    throw InvalidOptions(fmt::format("{} is named for two outputs: give each a name of its own", second.string()));
+}
+
+}  // namespace tamis::cli

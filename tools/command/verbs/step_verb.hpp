@@ -1,0 +1,32 @@
+// What the verbs of one step, `tamis VERB START END`, have in common.
+#pragma once
+#include <string>
+
+#include "command/step_files.hpp"
+#include "command/verbs/motion_verb.hpp"
+#include "io/mesh/mesh_formats.hpp"
+
+namespace tamis::cli {
+
+class StepVerb : public MotionVerb {
+ public:
+  void declare(OptionList& options) override {
+    options.add_text("START", start_, "the mesh at t=0: " + io::mesh_format_names()).required();
+    options.add_text("END", end_, "the same mesh at t=1").required();
+    declare_motion(options);
+    declare_repeat(options, repeat_);
+    declare_json(options, json_);
+  }
+
+ protected:
+  StepFiles read() const {
+    check();
+    return read_step(start_, end_, scale(), weld_distance());
+  }
+
+  std::string start_;
+  std::string end_;
+  int repeat_ = 1;
+};
+
+}  // namespace tamis::cli

@@ -11,20 +11,20 @@ LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filt
          "exact": 5, "narrow": 6, "kernels": 7, "query": 8, "coherence": 9, "search": 10,
          "paths": 11, "detect": 12, "world": 13}
 # Folders outside the library, and what each may include besides itself and the public headers.
-OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "audit", "io", "scenes", "numerics"],
+OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "audit", "files", "scenes", "numerics"],
            # Ranks find a frame together, and give it to their detectors.
-           "mpi/include": [], "mpi/src": ["mpi", "bounds", "detect", "numerics"], "mpi/command": ["mpi", "io", "command"],
+           "mpi/include": [], "mpi/src": ["mpi", "bounds", "detect", "numerics"], "mpi/command": ["mpi", "files", "command"],
            "audit": [],
            # Files set the floating-point state as the library does.
-           "io": ["audit", "numerics", "paths"], "scenes": ["io"], "tools/command": ["audit", "io", "scenes"], "adapters": ["c", "io"],
-           "bench/contenders": ["io", "scenes", "oracle", "bench", "lab"], "bench/distributed": ["bench"],
-           "bench/stages": ["scenes", "io", "bench", "lab", *LAYER],
-           "bench/exact": ["scenes", "io", "bench", "oracle", "support", *LAYER],
-           "bench/matrix": ["scenes", "io", "bench", "matrix"],
-           "bench/paths": ["scenes", "bench"], "bench/questions": ["scenes", "io", "bench", "questions"],
+           "tools/files": ["audit", "numerics", "paths"], "scenes": ["files"], "tools/command": ["audit", "files", "scenes"], "adapters": ["c", "files"],
+           "bench/contenders": ["files", "scenes", "oracle", "bench", "lab"], "bench/distributed": ["bench"],
+           "bench/stages": ["scenes", "files", "bench", "lab", *LAYER],
+           "bench/exact": ["scenes", "files", "bench", "oracle", "support", *LAYER],
+           "bench/matrix": ["scenes", "files", "bench", "matrix"],
+           "bench/paths": ["scenes", "bench"], "bench/questions": ["scenes", "files", "bench", "questions"],
            "bench/subspace": ["scenes", "bench", "lab"], "bench/worlds": ["scenes", "bench", "worlds"],
            # The laboratory: its methods may include all layers; its queries and its command may not.
-           "lab": ["scenes", *LAYER], "lab/queries": ["io", "lab"], "lab/command": ["io", "scenes", "command", "lab"]}
+           "lab": ["scenes", *LAYER], "lab/queries": ["files", "lab"], "lab/command": ["files", "scenes", "command", "lab"]}
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 

@@ -1,5 +1,5 @@
 // Embree, rtcCollide: a hierarchy of swept boxes (user geometry), Morton build. Apache-2.0.
-#include "io/picture/embree.hpp"
+#include "files/picture/embree.hpp"
 
 #include "bench/contenders/swept_boxes.hpp"
 

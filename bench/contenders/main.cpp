@@ -9,9 +9,9 @@
 
 #include "bench/contenders/swept_boxes.hpp"
 #include "bench/timing.hpp"
-#include "io/mesh/frames.hpp"
-#include "io/mesh/mesh_file.hpp"
-#include "io/mesh/mesh_formats.hpp"
+#include "files/mesh/frames.hpp"
+#include "files/mesh/mesh_file.hpp"
+#include "files/mesh/mesh_formats.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::bench {

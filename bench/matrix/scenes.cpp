@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "io/mesh/mesh_file.hpp"
+#include "files/mesh/mesh_file.hpp"
 #include "matrix/kinds/kinds.hpp"
 #include "scenes/generators/generators.hpp"
 #include "tamis/error.hpp"

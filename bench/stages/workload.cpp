@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "io/mesh/mesh_file.hpp"
+#include "files/mesh/mesh_file.hpp"
 #include "scenes/scene_list.hpp"
 
 namespace tamis::bench {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "io/text.hpp"
+#include "files/text.hpp"
 
 namespace tamis::lab {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "io/error.hpp"
-#include "io/text.hpp"
+#include "files/error.hpp"
+#include "files/text.hpp"
 #include "lab/queries/exact_double.hpp"
 
 namespace tamis::lab {

@@ -1,7 +1,7 @@
 // Reads queries, and looks up the answers of JSON files in tables truth.csv.
-#include "io/error.hpp"
-#include "io/file_bytes.hpp"
-#include "io/text.hpp"
+#include "files/error.hpp"
+#include "files/file_bytes.hpp"
+#include "files/text.hpp"
 #include "lab/queries/queries.hpp"
 
 namespace tamis::lab {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "io/error.hpp"
-#include "io/mesh/frames.hpp"
+#include "files/error.hpp"
+#include "files/mesh/frames.hpp"
 #include "lab/queries/queries.hpp"
 
 namespace tamis::lab {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "io/atomic_file.hpp"
-#include "io/output/csv.hpp"
+#include "files/atomic_file.hpp"
+#include "files/output/csv.hpp"
 
 namespace tamis::lab {
 

@@ -1,7 +1,7 @@
 #include <initializer_list>
 
-#include "io/error.hpp"
-#include "io/json_file.hpp"
+#include "files/error.hpp"
+#include "files/json_file.hpp"
 #include "lab/queries/queries.hpp"
 
 namespace tamis::lab {

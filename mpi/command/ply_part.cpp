@@ -4,10 +4,10 @@
 #include <cstring>
 #include <fstream>
 
-#include "io/error.hpp"
-#include "io/mesh/ply.hpp"
-#include "io/mesh/ply_header.hpp"
-#include "io/mesh/ply_layout.hpp"
+#include "files/error.hpp"
+#include "files/mesh/ply.hpp"
+#include "files/mesh/ply_header.hpp"
+#include "files/mesh/ply_layout.hpp"
 
 namespace tamis::distributed {
 namespace {

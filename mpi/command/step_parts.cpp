@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "command/step_files.hpp"
-#include "io/scale_step.hpp"
+#include "files/scale_step.hpp"
 #include "mpi/command/ply_part.hpp"
 #include "mpi/src/agreement.hpp"
 

@@ -5,7 +5,7 @@
 #include "command/command_line/printable.hpp"
 #include "command/output_file.hpp"
 #include "command/start_check.hpp"
-#include "io/output/contacts_csv.hpp"
+#include "files/output/contacts_csv.hpp"
 #include "mpi/command/ranks_verb.hpp"
 #include "mpi/command/verbs.hpp"
 #include "mpi/src/agreement.hpp"

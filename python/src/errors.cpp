@@ -1,6 +1,6 @@
 #include <exception>
 
-#include "io/error.hpp"
+#include "files/error.hpp"
 #include "python/src/bindings.hpp"
 #include "tamis/error.hpp"
 

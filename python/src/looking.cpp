@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "io/view/film.hpp"
-#include "io/view/outputs.hpp"
+#include "files/view/film.hpp"
+#include "files/view/outputs.hpp"
 #include "python/src/arrays.hpp"
 #include "tamis/error.hpp"
 

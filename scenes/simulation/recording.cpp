@@ -4,10 +4,10 @@
 
 #include <cstring>
 
-#include "io/atomic_file.hpp"
-#include "io/file_bytes.hpp"
-#include "io/mesh/ply.hpp"
-#include "io/text.hpp"
+#include "files/atomic_file.hpp"
+#include "files/file_bytes.hpp"
+#include "files/mesh/ply.hpp"
+#include "files/text.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::simulation {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/mesh/mesh_file.hpp"
+#include "files/mesh/mesh_file.hpp"
 #include "lab/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_data.hpp"

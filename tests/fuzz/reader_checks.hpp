@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "fuzz/require.hpp"
-#include "io/error.hpp"
-#include "io/mesh/mesh_file.hpp"
+#include "files/error.hpp"
+#include "files/mesh/mesh_file.hpp"
 
 namespace tamis::fuzz {
 

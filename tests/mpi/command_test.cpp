@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <string>
 
-#include "io/mesh/mesh_file.hpp"
-#include "io/mesh/ply.hpp"
+#include "files/mesh/mesh_file.hpp"
+#include "files/mesh/ply.hpp"
 #include "scenes/scene_list.hpp"
 #include "support/test_data.hpp"
 #include "support/test_names.hpp"

@@ -1,7 +1,7 @@
 // Recorded frames, cut in ways that are kind and unkind.
 #include <gtest/gtest.h>
 
-#include "io/mesh/mesh_file.hpp"
+#include "files/mesh/mesh_file.hpp"
 #include "mpi/same_answers.hpp"
 #include "support/test_data.hpp"
 #include "topology/mean_edge.hpp"

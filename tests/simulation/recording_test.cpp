@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/mesh/mesh_file.hpp"
+#include "files/mesh/mesh_file.hpp"
 #include "support/temporary_folder.hpp"
 #include "tamis/error.hpp"
 

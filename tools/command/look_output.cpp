@@ -4,7 +4,7 @@
 
 #include "command/command_line/printable.hpp"
 #include "command/output_file.hpp"
-#include "io/view/outputs.hpp"
+#include "files/view/outputs.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {

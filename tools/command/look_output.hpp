@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "command/command_line/option_list.hpp"
-#include "io/picture/picture.hpp"
-#include "io/view/outputs.hpp"
+#include "files/picture/picture.hpp"
+#include "files/view/outputs.hpp"
 
 namespace tamis::cli {
 

@@ -4,8 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "io/atomic_file.hpp"
-#include "io/format.hpp"
+#include "files/atomic_file.hpp"
+#include "files/format.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {

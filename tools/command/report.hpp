@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "command/timing.hpp"
-#include "io/tally.hpp"
+#include "files/tally.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/detector.hpp"
 

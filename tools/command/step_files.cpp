@@ -5,8 +5,8 @@
 #include "audit/doubts.hpp"
 #include "command/command_line/messages.hpp"
 #include "command/report.hpp"
-#include "io/mesh/weld.hpp"
-#include "io/scale_step.hpp"
+#include "files/mesh/weld.hpp"
+#include "files/scale_step.hpp"
 
 namespace tamis::cli {
 

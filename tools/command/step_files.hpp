@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/mesh/mesh_file.hpp"
+#include "files/mesh/mesh_file.hpp"
 #include "tamis/error.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"

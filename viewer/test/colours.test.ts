@@ -10,7 +10,7 @@ const source = readFileSync(join("..", "io", "output", "colours.cpp"), "utf8");
 
 function coloursIn(name: string): number[][] {
   const list = new RegExp(`${name}\\{\\{([^;]*)\\}\\};`).exec(source)?.[1];
-  assert.ok(list, `no ${name} in io/output/colours.cpp`);
+  assert.ok(list, `no ${name} in tools/files/output/colours.cpp`);
   const numbers = [...list.matchAll(/0x([0-9a-f]{2})/g)].map(([, digits]) => parseInt(digits, 16));
   return Array.from({ length: numbers.length / 3 }, (_, i) => numbers.slice(3 * i, 3 * i + 3));
 }

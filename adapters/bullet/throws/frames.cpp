@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "adapters/bullet/mesh_of_shape.hpp"
-#include "io/mesh/ply.hpp"
+#include "files/mesh/ply.hpp"
 
 namespace tamis::bullet {
 

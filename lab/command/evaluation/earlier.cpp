@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "io/error.hpp"
-#include "io/text.hpp"
+#include "files/error.hpp"
+#include "files/text.hpp"
 
 namespace tamis::lab {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/file_bytes.hpp"
+#include "files/file_bytes.hpp"
 #include "lab/command/evaluation/run.hpp"
 
 namespace tamis::lab {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "io/atomic_file.hpp"
+#include "files/atomic_file.hpp"
 #include "lab/command/evaluation/figures.hpp"
 #include "lab/command/evaluation/tables.hpp"
 

@@ -5,8 +5,8 @@
 #include <tuple>
 
 #include "command/step_files.hpp"
-#include "io/error.hpp"
-#include "io/scale_step.hpp"
+#include "files/error.hpp"
+#include "files/scale_step.hpp"
 #include "lab/detector.hpp"
 
 namespace tamis::lab {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "io/atomic_file.hpp"
+#include "files/atomic_file.hpp"
 
 namespace tamis::lab {
 

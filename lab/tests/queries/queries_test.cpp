@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/messages.hpp"
+#include "files/tests/messages.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace tamis::lab {

@@ -4,7 +4,7 @@
 #include <ctime>
 #include <limits>
 
-#include "io/messages.hpp"
+#include "files/tests/messages.hpp"
 #include "lab/queries/queries.hpp"
 #include "lab/queries/query_results_csv.hpp"
 #include "support/temporary_folder.hpp"

@@ -6,9 +6,9 @@
 #include <nanobind/stl/vector.h>
 
 #include "audit/auditor.hpp"
-#include "io/motion/motion.hpp"
-#include "io/output/audit_csv.hpp"
-#include "io/view/audit_page.hpp"
+#include "files/motion/motion.hpp"
+#include "files/output/audit_csv.hpp"
+#include "files/view/audit_page.hpp"
 #include "python/src/asker.hpp"
 #include "python/src/audit/report.hpp"
 #include "python/src/audit/source.hpp"

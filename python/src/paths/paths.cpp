@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "io/view/path_positions.hpp"
+#include "files/view/path_positions.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/pairs/pair_results.hpp"
 #include "python/src/pairs/pair_rows.hpp"

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "io/text.hpp"
+#include "files/text.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {

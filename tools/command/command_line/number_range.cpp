@@ -7,8 +7,8 @@
 #include <optional>
 #include <type_traits>
 
-#include "io/error.hpp"
-#include "io/text.hpp"
+#include "files/error.hpp"
+#include "files/text.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {

@@ -15,7 +15,7 @@
 #include "command/command_line/command_line.hpp"
 #include "command/command_line/messages.hpp"
 #include "command/command_line/standard_streams.hpp"
-#include "io/unfinished_file.hpp"
+#include "files/unfinished_file.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {

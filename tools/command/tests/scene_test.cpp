@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "command/tests/command.hpp"
-#include "io/mesh/mesh_file.hpp"
-#include "io/mesh/ply.hpp"
+#include "files/mesh/mesh_file.hpp"
+#include "files/mesh/ply.hpp"
 
 namespace tamis::test {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "command/tests/command.hpp"
-#include "io/mesh/mesh_file.hpp"
+#include "files/mesh/mesh_file.hpp"
 
 namespace tamis::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "audit/doubts.hpp"
-#include "io/mesh/loose_features.hpp"
+#include "files/mesh/loose_features.hpp"
 #include "tamis/components.hpp"
 
 namespace tamis::cli {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/extent.hpp"
+#include "files/extent.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"
 

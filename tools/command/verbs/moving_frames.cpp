@@ -4,9 +4,9 @@
 
 #include "command/command_line/messages.hpp"
 #include "command/step_files.hpp"
-#include "io/error.hpp"
-#include "io/mesh/frames.hpp"
-#include "io/motion/mesh_frames.hpp"
+#include "files/error.hpp"
+#include "files/mesh/frames.hpp"
+#include "files/motion/mesh_frames.hpp"
 
 namespace tamis::cli {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "io/mesh/mesh_file.hpp"
-#include "io/mesh/weld.hpp"
+#include "files/mesh/mesh_file.hpp"
+#include "files/mesh/weld.hpp"
 
 namespace tamis::cli {
 

@@ -6,7 +6,7 @@
 #include "command/command_line/arguments.hpp"
 #include "command/command_line/verb.hpp"
 #include "command/step_files.hpp"
-#include "io/mesh/mesh_formats.hpp"
+#include "files/mesh/mesh_formats.hpp"
 
 namespace tamis::cli {
 

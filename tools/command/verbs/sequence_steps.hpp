@@ -6,7 +6,7 @@
 #include "command/step_files.hpp"
 #include "command/verbs/moving_frames.hpp"
 #include "command/verbs/sequence_table.hpp"
-#include "io/scale_step.hpp"
+#include "files/scale_step.hpp"
 
 namespace tamis::cli {
 

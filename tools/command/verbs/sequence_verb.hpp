@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "command/verbs/motion_verb.hpp"
-#include "io/mesh/mesh_formats.hpp"
+#include "files/mesh/mesh_formats.hpp"
 
 namespace tamis::cli {
 

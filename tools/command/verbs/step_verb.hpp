@@ -4,7 +4,7 @@
 
 #include "command/step_files.hpp"
 #include "command/verbs/motion_verb.hpp"
-#include "io/mesh/mesh_formats.hpp"
+#include "files/mesh/mesh_formats.hpp"
 
 namespace tamis::cli {
 

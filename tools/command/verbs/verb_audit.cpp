@@ -14,13 +14,13 @@
 #include "command/step_files.hpp"
 #include "command/verbs/audit_report.hpp"
 #include "command/verbs/moving_frames.hpp"
-#include "io/format.hpp"
-#include "io/mesh/frames.hpp"
-#include "io/mesh/mesh_formats.hpp"
-#include "io/motion/motion.hpp"
-#include "io/motion/welded_frames.hpp"
-#include "io/output/audit_csv.hpp"
-#include "io/view/audit_page.hpp"
+#include "files/format.hpp"
+#include "files/mesh/frames.hpp"
+#include "files/mesh/mesh_formats.hpp"
+#include "files/motion/motion.hpp"
+#include "files/motion/welded_frames.hpp"
+#include "files/output/audit_csv.hpp"
+#include "files/view/audit_page.hpp"
 
 namespace tamis::cli {
 namespace {

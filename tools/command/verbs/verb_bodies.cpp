@@ -14,8 +14,8 @@
 #include "command/step_files.hpp"
 #include "command/verbs/bodies/bodies_film.hpp"
 #include "command/verbs/bodies/bodies_table.hpp"
-#include "io/bodies/bodies_csv.hpp"
-#include "io/format.hpp"
+#include "files/bodies/bodies_csv.hpp"
+#include "files/format.hpp"
 
 namespace tamis::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include "command/report.hpp"
 #include "command/step_files.hpp"
 #include "command/verbs/mesh_facts.hpp"
-#include "io/mesh/mesh_formats.hpp"
+#include "files/mesh/mesh_formats.hpp"
 
 namespace tamis::cli {
 namespace {

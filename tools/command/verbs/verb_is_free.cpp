@@ -12,7 +12,7 @@
 #include "command/start_check.hpp"
 #include "command/verbs/motion_verb.hpp"
 #include "command/verbs/sequence_steps.hpp"
-#include "io/mesh/mesh_formats.hpp"
+#include "files/mesh/mesh_formats.hpp"
 
 namespace tamis::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include "command/command_line/printable.hpp"
 #include "command/command_line/verb.hpp"
 #include "command/progress.hpp"
-#include "io/mesh/mesh_file.hpp"
+#include "files/mesh/mesh_file.hpp"
 #include "scenes/simulation/recording.hpp"
 #include "tamis/detector.hpp"
 

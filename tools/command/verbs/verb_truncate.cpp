@@ -11,7 +11,7 @@
 #include "command/report.hpp"
 #include "command/start_check.hpp"
 #include "command/verbs/step_verb.hpp"
-#include "io/mesh/ply.hpp"
+#include "files/mesh/ply.hpp"
 
 namespace tamis::cli {
 namespace {

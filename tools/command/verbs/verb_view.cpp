@@ -12,8 +12,8 @@
 #include "command/step_files.hpp"
 #include "command/verbs/motion_verb.hpp"
 #include "command/verbs/moving_frames.hpp"
-#include "io/mesh/mesh_formats.hpp"
-#include "io/scale_step.hpp"
+#include "files/mesh/mesh_formats.hpp"
+#include "files/scale_step.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {

@@ -9,7 +9,7 @@
 #include "command/output_file.hpp"
 #include "command/report.hpp"
 #include "command/verbs/pose_verb.hpp"
-#include "io/output/near_csv.hpp"
+#include "files/output/near_csv.hpp"
 
 namespace tamis::cli {
 namespace {

@@ -1,4 +1,4 @@
-// Reads columns of numbers as io/view/columns.hpp writes them: bytes of one significance together, differences of rows.
+// Reads columns of numbers as tools/files/view/columns.hpp writes them: bytes of one significance together, differences of rows.
 
 /** Reads elements of `size` bytes: the lowest bytes of all elements come first, then the next bytes of all, ... */
 export function fromPlanes(bytes: Uint8Array, size: number): Uint8Array<ArrayBuffer> {

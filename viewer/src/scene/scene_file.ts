@@ -1,4 +1,4 @@
-// Reads the scene that io/view/scene_bytes.cpp writes into the page: header and columns, compressed by zlib, as base64.
+// Reads the scene that tools/files/view/scene_bytes.cpp writes into the page: header and columns, compressed by zlib, as base64.
 import { fromDifferences, fromPlanes } from "./columns";
 import type { SceneHeader } from "./header";
 

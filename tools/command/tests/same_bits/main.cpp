@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/mesh/mesh_file.hpp"
+#include "files/mesh/mesh_file.hpp"
 #include "scenes/scene_list.hpp"
 #include "support/data_folder.hpp"
 #include "tamis/detector.hpp"

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "command/report.hpp"
-#include "io/view/film.hpp"
-#include "io/view/outputs.hpp"
+#include "files/view/film.hpp"
+#include "files/view/outputs.hpp"
 
 namespace tamis::cli {
 namespace {

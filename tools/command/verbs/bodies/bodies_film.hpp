@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "command/verbs/bodies/moving_bodies.hpp"
-#include "io/view/recording.hpp"
+#include "files/view/recording.hpp"
 
 namespace tamis::cli {
 

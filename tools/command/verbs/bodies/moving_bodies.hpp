@@ -7,7 +7,7 @@
 
 #include "command/collapse_check.hpp"
 #include "command/verbs/moving_frames.hpp"
-#include "io/bodies/bodies_file.hpp"
+#include "files/bodies/bodies_file.hpp"
 #include "tamis/world.hpp"
 
 namespace tamis::cli {

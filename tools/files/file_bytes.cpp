@@ -1,0 +1,42 @@
+#include "files/file_bytes.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include "files/error.hpp"
+
+namespace tamis::io {
+namespace {
+
+[[noreturn]] void refuse_to_read(const std::filesystem::path& path, int error) {
+  throw FileError(
+      path.string(), "",
+      fmt::format("cannot be read ({}): check the path and its permissions", std::generic_category().message(error)));
+}
+
+}  // namespace
+
+FileBytes::FileBytes(const std::filesystem::path& path) {
+  const auto close = [](std::FILE* file) { std::fclose(file); };
+  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
+  if (!file) refuse_to_read(path, errno);
+  std::error_code is_no_regular_file;
+  const auto size = std::filesystem::file_size(path, is_no_regular_file);
+  // One byte more than the file has, so that a single read meets its end.
+  constexpr std::size_t kFirstRead = std::size_t{1} << 16;
+  std::size_t room = is_no_regular_file ? kFirstRead : static_cast<std::size_t>(size) + 1;
+  std::size_t used = 0;
+  for (;;) {
+    bytes_.resize(used + room);
+    const std::size_t got = std::fread(bytes_.data() + used, 1, room, file.get());
+    used += got;
+    if (std::ferror(file.get())) refuse_to_read(path, errno);
+    if (got < room) break;
+    room = used;
+  }
+  bytes_.resize(used);
+}
+
+}  // namespace tamis::io

@@ -14,7 +14,7 @@ LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filt
 OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "audit", "files", "scenes", "numerics"],
            # Ranks find a frame together, and give it to their detectors.
            "mpi/include": [], "mpi/src": ["mpi", "bounds", "detect", "numerics"], "mpi/command": ["mpi", "files", "command"],
-           "audit": [],
+           "tools/audit": [],
            # Files set the floating-point state as the library does.
            "tools/files": ["audit", "numerics", "paths"], "scenes": ["files"], "tools/command": ["audit", "files", "scenes"], "adapters": ["c", "files"],
            "bench/contenders": ["files", "scenes", "oracle", "bench", "lab"], "bench/distributed": ["bench"],

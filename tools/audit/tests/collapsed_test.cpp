@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "audit/audit.hpp"
-#include "audit/recorded.hpp"
+#include "audit/tests/recorded.hpp"
 
 namespace tamis::audit {
 namespace {

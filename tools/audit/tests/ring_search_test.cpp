@@ -6,7 +6,7 @@
 #include <deque>
 #include <set>
 
-#include "audit/recorded.hpp"
+#include "audit/tests/recorded.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::audit {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "audit/auditor.hpp"
-#include "audit/recorded.hpp"
+#include "audit/tests/recorded.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::audit {

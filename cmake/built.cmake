@@ -25,8 +25,8 @@ find_library(B64_LIBRARY b64 REQUIRED)
 built_library(tamis_audit tools/audit/libtamis_audit.a tamis::tamis)
 built_library(tamis_mesh_files tools/files/mesh/libtamis_mesh_files.a tamis::tamis fmt::fmt)
 built_library(tamis_io tools/files/libtamis_io.a tamis_mesh_files tamis_audit GMP::gmp ZLIB::ZLIB ${B64_LIBRARY})
-built_library(tamis_scenes scenes/libtamis_scenes.a tamis::tamis)
-built_library(tamis_simulation scenes/simulation/libtamis_simulation.a
+built_library(tamis_scenes tools/scenes/libtamis_scenes.a tamis::tamis)
+built_library(tamis_simulation tools/scenes/simulation/libtamis_simulation.a
   tamis_io tamis_scenes Eigen3::Eigen meshoptimizer::meshoptimizer)
 if(TAMIS_PYTHON_COMMAND)
   add_executable(tamis_command IMPORTED)

@@ -172,7 +172,7 @@ std::uint64_t decided(const World& world) {
   return by.lanes + by.scalar + by.exact + by.unresolved;
 }
 
-/// A gear from scenes/, a little uneven, so that no two edges are parallel.
+/// A gear from tools/scenes/, a little uneven, so that no two edges are parallel.
 Shape gear(Index teeth, double radius) {
   const Machine train = scenes::gear_train(1, teeth, 0, false);
   std::vector<Point> points = train.shapes[0].points;

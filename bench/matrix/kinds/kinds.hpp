@@ -1,4 +1,4 @@
-// Scenes that only the matrix needs, with the signature of those in scenes/generators/generators.hpp.
+// Scenes that only the matrix needs, with the signature of those in tools/scenes/generators/generators.hpp.
 #pragma once
 #include <cstdint>
 

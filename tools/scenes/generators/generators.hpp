@@ -13,7 +13,7 @@ Scene fans(Index triangles, std::uint64_t seed);
 Scene folded_cloth(Index triangles, std::uint64_t seed);
 Scene mirrored(Index triangles, std::uint64_t seed);
 Scene points_on_cloth(Index triangles, std::uint64_t seed);
-Scene reduced_sheet_scene(Index triangles, std::uint64_t seed);  ///< see scenes/reduced_scene.hpp
+Scene reduced_sheet_scene(Index triangles, std::uint64_t seed);  ///< see tools/scenes/reduced_scene.hpp
 Scene rod(Index triangles, std::uint64_t seed);
 Scene sliding_sheets(Index triangles, std::uint64_t seed);
 Scene soup(Index triangles, std::uint64_t seed);

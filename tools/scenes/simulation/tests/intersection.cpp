@@ -1,4 +1,4 @@
-#include "simulation/intersection.hpp"
+#include "scenes/simulation/tests/intersection.hpp"
 
 #include <algorithm>
 #include <set>

@@ -7,7 +7,7 @@
 
 #include "lab/detector.hpp"
 #include "scenes/simulation/simulator.hpp"
-#include "simulation/intersection.hpp"
+#include "scenes/simulation/tests/intersection.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::simulation {

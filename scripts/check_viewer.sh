@@ -3,11 +3,11 @@
 # page: checks that they build the committed page, byte for byte. tests: runs the tests in Chromium, and saves pictures of the
 # pages in the folder SCREENSHOTS, for who wants to look. Exit code 77 if Node, its packages or Chromium is absent.
 set -euo pipefail
-cd "$(dirname "$0")/../viewer"
+cd "$(dirname "$0")/../tools/viewer"
 
 skip() { echo "skipped: $1"; exit 77; }
 command -v node >/dev/null || skip "no node"
-[[ -d node_modules ]] || skip "no viewer/node_modules: scripts/setup.sh --tests installs it"
+[[ -d node_modules ]] || skip "no tools/viewer/node_modules: scripts/setup.sh --tests installs it"
 case $1 in
   style)
     node_modules/.bin/tsc --noEmit
@@ -18,7 +18,7 @@ case $1 in
     built=$(mktemp --suffix=.html)
     trap 'rm -f "$built"' EXIT
     node build.mjs "$built"
-    cmp "$built" dist/viewer.html || { echo "viewer/dist/viewer.html is not what viewer/src builds: npm run build"; exit 1; }
+    cmp "$built" dist/viewer.html || { echo "tools/viewer/dist/viewer.html is not what tools/viewer/src builds: npm run build"; exit 1; }
     ;;
   tests)
     export TAMIS_CHROMIUM=${TAMIS_CHROMIUM:-/usr/bin/chromium}

@@ -53,8 +53,8 @@ else
 fi
 
 # The viewer's tools, in exactly the versions of its lock file.
-if [[ ${1:-} == --tests && ! viewer/node_modules/.package-lock.json -nt viewer/package-lock.json ]]; then
-  echo "setup: installing the viewer's tools into viewer/node_modules"
+if [[ ${1:-} == --tests && ! tools/viewer/node_modules/.package-lock.json -nt tools/viewer/package-lock.json ]]; then
+  echo "setup: installing the viewer's tools into tools/viewer/node_modules"
   npm ci --prefix viewer --ignore-scripts --no-audit --no-fund
-  touch "viewer/node_modules/.package-lock.json"
+  touch "tools/viewer/node_modules/.package-lock.json"
 fi

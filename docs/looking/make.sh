@@ -6,7 +6,7 @@ tamis=$(realpath "$1") start=$(realpath "$2") end=$(realpath "$3")
 cd "$(dirname "$0")"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-shoot() { node ../../viewer/shoot.mjs "$@"; }
+shoot() { node ../../tools/viewer/shoot.mjs "$@"; }
 
 "$tamis" scene cloth-ball --triangles 6000 --frames 60 --out "$work/ball"
 "$tamis" view "$work/ball/frame_005?.ply" --scale 10 --out cloth-ball.html

@@ -1,4 +1,4 @@
-// tamis view, and the outputs that it shares with tamis contacts; what is in them is tested in viewer/test.
+// tamis view, and the outputs that it shares with tamis contacts; what is in them is tested in tools/viewer/test.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// The viewer's colours, here for other outputs; viewer/test/colours.test.ts compares the two.
+// The viewer's colours, here for other outputs; tools/viewer/test/colours.test.ts compares the two.
 #pragma once
 #include <array>
 #include <cstddef>

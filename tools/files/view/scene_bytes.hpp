@@ -1,4 +1,4 @@
-// A recording as the bytes that the viewer reads; viewer/src/scene_file.ts is the other side.
+// A recording as the bytes that the viewer reads; tools/viewer/src/scene_file.ts is the other side.
 #pragma once
 #include <string>
 

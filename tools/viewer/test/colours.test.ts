@@ -5,8 +5,8 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { colourOfTime, kObjectColours } from "../src/colours";
 
-// The file in which Tamis has them; tests run in viewer/.
-const source = readFileSync(join("..", "io", "output", "colours.cpp"), "utf8");
+// The file in which Tamis has them; tests run in tools/viewer/.
+const source = readFileSync(join("..", "files", "output", "colours.cpp"), "utf8");
 
 function coloursIn(name: string): number[][] {
   const list = new RegExp(`${name}\\{\\{([^;]*)\\}\\};`).exec(source)?.[1];

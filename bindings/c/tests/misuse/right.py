@@ -77,7 +77,7 @@ def struct(interface: headers.Interface, name: str, **changed) -> ctypes.Structu
         usual = {**FIELDS, "size": ctypes.sizeof(made), **LEFT_OUT.get(name, {}), **changed}
         value = usual.get(field.name, 0)
         assert field.name in usual, \
-            f"{name}.{field.name}: what is right for it? Say so in tests/c/misuse/right.py"
+            f"{name}.{field.name}: what is right for it? Say so in bindings/c/tests/misuse/right.py"
         put(made, field, value, keep)
     return made
 
@@ -120,5 +120,5 @@ def argument(interface: headers.Interface, function: headers.Function, parameter
             ctypes.c_size_t.from_buffer(room).value = ctypes.sizeof(interface.types[kind])
         return room
     assert parameter.name in ARGUMENTS, \
-        f"{function.name}: what is right for {parameter.name}? Say so in tests/c/misuse/right.py"
+        f"{function.name}: what is right for {parameter.name}? Say so in bindings/c/tests/misuse/right.py"
     return ARGUMENTS[parameter.name]

@@ -2,7 +2,7 @@
 """build_host.py WORK HOST: an environment with the wheel that build_wheel.py made and a host, a program Tamis works in.
 
 Makes WORK/HOST: an environment with the wheel, the packages of its extra of that name, and pytest. Versions are those of
-python/requirements-hosts.txt. PyPI is asked only if these or the needs of the tests have changed; exit code 77 if it
+bindings/python/requirements-hosts.txt. PyPI is asked only if these or the needs of the tests have changed; exit code 77 if it
 cannot be reached.
 """
 
@@ -12,10 +12,10 @@ import sys
 
 import build_wheel as ordinary
 
-REQUIREMENTS = ordinary.ROOT / "python" / "requirements-hosts.txt"
+REQUIREMENTS = ordinary.ROOT / "bindings" / "python" / "requirements-hosts.txt"
 # Packages that only the tests need.
 TESTS_NEED = {"newton": ["usd-core"], "blender": ["bpy"]}
-# bpy needs an older NumPy than the one that python/requirements.txt pins.
+# bpy needs an older NumPy than the one that bindings/python/requirements.txt pins.
 UNPINNED = ("blender",)
 
 

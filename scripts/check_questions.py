@@ -39,7 +39,7 @@ def functions(header: str) -> set[str]:
 
 def python_methods(owner: str, *places: str) -> set[str]:
     """Return the public methods of a Python class and of its bases."""
-    sources = [ast.parse(file.read_text()) for place in places for file in (ROOT / "python/tamis").glob(place)]
+    sources = [ast.parse(file.read_text()) for place in places for file in (ROOT / "bindings/python/tamis").glob(place)]
     classes = {node.name: node for source in sources for node in source.body if isinstance(node, ast.ClassDef)}
 
     def of(node: ast.ClassDef) -> set[str]:
@@ -51,7 +51,7 @@ def python_methods(owner: str, *places: str) -> set[str]:
 
 def python_functions(names: set[str]) -> set[str]:
     """Return the names that the Python module exports, out of `names`."""
-    listed = re.search(r"^__all__ = (\[.*?\])", text("python/tamis/__init__.py"), re.DOTALL | re.MULTILINE)[1]
+    listed = re.search(r"^__all__ = (\[.*?\])", text("bindings/python/tamis/__init__.py"), re.DOTALL | re.MULTILINE)[1]
     return names & set(ast.literal_eval(listed))
 
 

@@ -5,7 +5,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["src", "mpi", "audit", "io", "lab", "scenes", "c", "python/src", "adapters"]
+FOLDERS = ["src", "mpi", "audit", "io", "lab", "scenes", "c", "bindings/python/src", "adapters"]
 CALL = re.compile(r"\btbb::parallel_(?!sort)\w+\(|\barena_?\.execute\(")
 
 

@@ -42,7 +42,7 @@ def command_options(owner: str) -> set[str]:
 
 def options() -> dict[str, list[set[str]]]:
     """Return the options of each column of each table of options, by the table's title."""
-    header, detectors, worlds = "include/tamis/options.hpp", "python/tamis/_detector", "python/tamis/_world"
+    header, detectors, worlds = "include/tamis/options.hpp", "bindings/python/tamis/_detector", "bindings/python/tamis/_world"
     return {
         "Options of a detector or a world": [
             (members(header, "Options") | members(header, "PairFilter")) - {"filter"},
@@ -51,7 +51,7 @@ def options() -> dict[str, list[set[str]]]:
             keywords("World", "__init__", f"{worlds}/_world.py"),
             members("include/tamis/c/world.h", "tamis_world_options"),
             command_options("DetectorArguments"),
-            keywords("Detector", "__init__", "python/tamis/distributed.py") - {"edges", "points"},
+            keywords("Detector", "__init__", "bindings/python/tamis/distributed.py") - {"edges", "points"},
         ],
         "Options of a question": [
             members(header, "QueryOptions"),
@@ -68,7 +68,7 @@ def unnamed() -> list[str]:
     """Return where a page or a docstring of Python lacks a keyword of what it describes."""
     found = []
     for owner, source in (("Detector", "_detector/_detector.py"), ("World", "_world/_world.py")):
-        place = f"python/tamis/{source}"
+        place = f"bindings/python/tamis/{source}"
         row = re.search(rf"^\| `{owner}\((.*?)\)`", text("docs/python.md"), re.MULTILINE)[1]
         nodes = {node.name: node for node in ast.parse(text(place)).body if isinstance(node, ast.ClassDef)}
         parameters = re.findall(r"^([\w, ]+) : ", ast.get_docstring(nodes[owner]), re.MULTILINE)

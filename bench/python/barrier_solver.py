@@ -19,7 +19,7 @@ from typing import Any
 import ipctk
 import numpy as np
 
-EXAMPLE = pathlib.Path(__file__).resolve().parents[2] / "python" / "examples" / "barrier_cloth.py"
+EXAMPLE = pathlib.Path(__file__).resolve().parents[2] / "bindings" / "python" / "examples" / "barrier_cloth.py"
 _SPEC = importlib.util.spec_from_file_location("barrier_cloth", EXAMPLE)
 example: Any = importlib.util.module_from_spec(_SPEC)
 _SPEC.loader.exec_module(example)

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
+ROOT = pathlib.Path(__file__).resolve().parents[4]
 SESSIONS = ROOT / "hosts" / "blender" / "sessions"
 # The wheel that the tests are run with: scripts/nightly.sh says which.
 WHEEL = os.environ.get("TAMIS_WHEEL", "")
@@ -44,7 +44,7 @@ def test_the_zip_holds_what_it_takes(zip_file: pathlib.Path) -> None:
 
 
 def test_the_module_knows_nothing_of_blender() -> None:
-    found = [p for p in (ROOT / "python" / "tamis").rglob("*.py") if "bpy" in p.read_text()]
+    found = [p for p in (ROOT / "bindings" / "python" / "tamis").rglob("*.py") if "bpy" in p.read_text()]
     assert not found
 
 
@@ -61,7 +61,7 @@ def changes(request: pytest.FixtureRequest, zip_file: pathlib.Path, tmp_path_fac
 def seen_in(blender: str, session: str, zip_file: pathlib.Path, folder: pathlib.Path) -> Any:
     command = BLENDERS[blender]
     if not command or not shutil.which(command[0]):
-        pytest.skip(f"{blender} is not installed: python/requirements-hosts.txt, or apt-get install blender")
+        pytest.skip(f"{blender} is not installed: bindings/python/requirements-hosts.txt, or apt-get install blender")
     (folder / "scripts" / "addons").mkdir(parents=True)
     answer = folder / "answer.json"
     # Without the network, and without the user's packages and add-ons.

@@ -13,7 +13,7 @@ import pytest
 import tamis
 from tamis._versions import SUPPORTED
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 
 
 def _forget(monkeypatch: pytest.MonkeyPatch, module: str) -> None:
@@ -49,7 +49,7 @@ def test_missing_programs_are_named(monkeypatch: pytest.MonkeyPatch, module: str
 
 def test_versions_are_those_that_are_pinned() -> None:
     """Would catch other versions than those that pip installs."""
-    pins = (ROOT / "python/requirements-hosts.txt").read_text()
+    pins = (ROOT / "bindings/python/requirements-hosts.txt").read_text()
     extras = (ROOT / "pyproject.toml").read_text()
     for package, version in SUPPORTED.items():
         assert f"\n{package}=={version}\n" in pins

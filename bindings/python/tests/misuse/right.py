@@ -187,7 +187,7 @@ def right_calls(callee: Callee, folder: pathlib.Path) -> list[dict[str, Any]]:
         known.update({a.name: START[i % 4] for i, a in enumerate(callee.arguments) if a.takes == ("array",)})
     needed = [a.name for a in callee.arguments if _needed(callee, a)]
     missing = [name for name in needed if known.get(name) is None and name != "seed"]
-    assert not missing, f"{callee.name}: what is right for {missing}? Say so in python/tests/misuse/right.py"
+    assert not missing, f"{callee.name}: what is right for {missing}? Say so in bindings/python/tests/misuse/right.py"
     calls = [{name: known[name] for name in needed if name in known}]
     if callee.name == "audit":
         calls[0]["faces"] = FACES

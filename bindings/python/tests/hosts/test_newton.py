@@ -13,13 +13,13 @@ import pytest
 
 import tamis
 
-newton = pytest.importorskip("newton", reason="newton is not installed: python/requirements-hosts.txt")
+newton = pytest.importorskip("newton", reason="newton is not installed: bindings/python/requirements-hosts.txt")
 wp = pytest.importorskip("warp")
 
 import tamis.newton  # noqa: E402
 
 wp.config.enable_backward = False  # No test differentiates: kernels compile in half the time.
-ROOT = pathlib.Path(__file__).resolve().parents[3]
+ROOT = pathlib.Path(__file__).resolve().parents[4]
 pytestmark = pytest.mark.filterwarnings("default")
 MARGIN, GAP = 0.02, 0.01
 

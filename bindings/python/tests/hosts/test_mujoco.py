@@ -7,7 +7,7 @@ import pytest
 
 import tamis
 
-mujoco = pytest.importorskip("mujoco", reason="MuJoCo is not installed: python/requirements-hosts.txt")
+mujoco = pytest.importorskip("mujoco", reason="MuJoCo is not installed: bindings/python/requirements-hosts.txt")
 
 import tamis.mujoco  # noqa: E402
 from mujoco_models import loaded  # noqa: E402

@@ -13,7 +13,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 HEADERS = [*sorted((ROOT / "include/tamis/c").glob("*.h")), ROOT / "adapters/rapier/clamp/clamp.h"]
-CRATE = ROOT / "adapters/rapier/tamis/src"
+CRATE = ROOT / "bindings/rust/src"
 IN_RUST = {
     **{"int": "c_int", "tamis_status": "c_int", "int32_t": "i32", "double": "f64", "size_t": "usize"},
     **{"char": "c_char", "void": "c_void"},

@@ -16,7 +16,7 @@ OUTSIDE = {"include/tamis": [], "bindings/c": [], "bindings/python/src": ["pytho
            "mpi/include": [], "mpi/src": ["mpi", "bounds", "detect", "numerics"], "mpi/command": ["mpi", "files", "command"],
            "tools/audit": [],
            # Files set the floating-point state as the library does.
-           "tools/files": ["audit", "numerics", "paths"], "tools/scenes": ["files"], "tools/command": ["audit", "files", "scenes"], "adapters": ["c", "files"],
+           "tools/files": ["audit", "numerics", "paths"], "tools/scenes": ["files"], "tools/command": ["audit", "files", "scenes"], "integrations": ["c", "files"],
            "bench/contenders": ["files", "scenes", "oracle", "bench", "lab"], "bench/distributed": ["bench"],
            "bench/stages": ["scenes", "files", "bench", "lab", *LAYER],
            "bench/exact": ["scenes", "files", "bench", "oracle", "support", *LAYER],

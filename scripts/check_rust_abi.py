@@ -12,7 +12,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-HEADERS = [*sorted((ROOT / "include/tamis/c").glob("*.h")), ROOT / "adapters/rapier/clamp/clamp.h"]
+HEADERS = [*sorted((ROOT / "include/tamis/c").glob("*.h")), ROOT / "integrations/rapier/clamp/clamp.h"]
 CRATE = ROOT / "bindings/rust/src"
 IN_RUST = {
     **{"int": "c_int", "tamis_status": "c_int", "int32_t": "i32", "double": "f64", "size_t": "usize"},
@@ -23,7 +23,7 @@ IN_RUST = {
 }
 
 # Numbers that are written in C or C++ and again in Rust.
-ANSWERS, STATUS, CLAMP = "include/tamis/c/answers.h", "include/tamis/c/status.h", "adapters/clamp.hpp"
+ANSWERS, STATUS, CLAMP = "include/tamis/c/answers.h", "include/tamis/c/status.h", "integrations/clamp.hpp"
 OF_WORLD, OF_CLAMP, OF_MESH = "tamis/src/world.rs", "tamis/src/clamp.rs", "tamis-rapier/src/mesh.rs"
 NUMBERS = [
     (ANSWERS, "TAMIS_REPORT = ", OF_WORLD, "Report = "),
@@ -94,7 +94,7 @@ def number_after(words: str, place: str) -> float:
 def main() -> int:
     wrong = 0
     for header, there, source, here in NUMBERS:
-        theirs, ours = number_after(there, header), number_after(here, f"adapters/rapier/{source}")
+        theirs, ours = number_after(there, header), number_after(here, f"integrations/rapier/{source}")
         if theirs != ours:
             print(f"{header} has {there}{theirs}\n{source} has {here}{ours}")
             wrong += 1

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# test_rust.sh FOLDERS TARGET: builds and tests the crates of adapters/rapier against the libraries tamis_c and tamis_clamp
+# test_rust.sh FOLDERS TARGET: builds and tests the crates of integrations/rapier against the libraries tamis_c and tamis_clamp
 # in FOLDERS (A:B). cargo's output stays in TARGET. Exit code 77 if cargo is missing or too old, or if the crates they need
 # are missing and the registry cannot be reached.
 set -euo pipefail

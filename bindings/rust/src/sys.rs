@@ -1,4 +1,4 @@
-//! The parts of `tamis/tamis.h` and `adapters/rapier/clamp/clamp.h` that the crate uses.
+//! The parts of `tamis/tamis.h` and `integrations/rapier/clamp/clamp.h` that the crate uses.
 #![allow(non_camel_case_types)]
 use crate::answers::{Contact, Intersection, NearPair};
 use crate::motion::{Link, Pose};

@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[4]
-SESSIONS = ROOT / "hosts" / "blender" / "sessions"
+SESSIONS = ROOT / "integrations" / "blender" / "sessions"
 # The wheel that the tests are run with: scripts/nightly.sh says which.
 WHEEL = os.environ.get("TAMIS_WHEEL", "")
 
@@ -30,7 +30,7 @@ pytestmark = pytest.mark.skipif(not WHEEL, reason="no wheel to put into the add-
 @pytest.fixture(scope="module")
 def zip_file(tmp_path_factory: pytest.TempPathFactory) -> pathlib.Path:
     folder = tmp_path_factory.mktemp("zip")
-    script = ROOT / "hosts" / "blender" / "build_zip.py"
+    script = ROOT / "integrations" / "blender" / "build_zip.py"
     printed = subprocess.run([sys.executable, script, WHEEL, folder], check=True, capture_output=True, text=True)
     return pathlib.Path(printed.stdout.strip())
 

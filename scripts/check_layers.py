@@ -13,7 +13,7 @@ LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filt
 # Folders outside the library, and what each may include besides itself and the public headers.
 OUTSIDE = {"include/tamis": [], "bindings/c": [], "bindings/python/src": ["python", "audit", "files", "scenes", "numerics"],
            # Ranks find a frame together, and give it to their detectors.
-           "mpi/include": [], "mpi/src": ["mpi", "bounds", "detect", "numerics"], "mpi/command": ["mpi", "files", "command"],
+           "distributed/include": [], "distributed/src": ["distributed", "bounds", "detect", "numerics"], "distributed/command": ["distributed", "files", "command"],
            "tools/audit": [],
            # Files set the floating-point state as the library does.
            "tools/files": ["audit", "numerics", "paths"], "tools/scenes": ["files"], "tools/command": ["audit", "files", "scenes"], "integrations": ["c", "files"],

@@ -75,7 +75,7 @@ def doors() -> dict[str, list[set[str]]]:
     """Return the questions of each column of each table of the page, by the table's title."""
     pair_headers = ("include/tamis/pair.hpp", "include/tamis/pair_distance.hpp", "include/tamis/path.hpp")
     of_pairs = set().union(*map(functions, pair_headers))
-    distributed = methods("mpi/include/tamis/distributed.hpp", "Detector")
+    distributed = methods("distributed/include/tamis/distributed.hpp", "Detector")
     if distributed - NO_QUESTIONS != python_methods("Detector", "distributed.py", "_ranks/*.py") - NO_QUESTIONS:
         sys.exit("tamis/distributed.hpp and tamis.distributed differ in their questions")
     command = verbs("tools/command/verbs")
@@ -86,7 +86,7 @@ def doors() -> dict[str, list[set[str]]]:
             c_functions("tamis_detector_"),
             command - {"bodies"},
             distributed,
-            verbs("mpi/command"),
+            verbs("distributed/command"),
         ],
         "Bodies": [
             methods("include/tamis/world.hpp", "World"),

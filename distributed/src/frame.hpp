@@ -1,0 +1,13 @@
+// The frame of the whole scene, which all ranks find together. The boxes of every search are floats in it, and so the
+// last bits of contacts depend on it (docs/numerics/one-pair.md, "Boxes").
+#pragma once
+#include "bounds/box_frame.hpp"
+#include "distributed/src/communicator.hpp"
+#include "distributed/src/input_part.hpp"
+
+namespace tamis::distributed {
+
+/// Collective. Each rank speaks for the vertices whose home it is. `input`: with motions.
+BoxFrame frame_of_scene(Communicator& communicator, const InputPart& input, double min_separation);
+
+}  // namespace tamis::distributed

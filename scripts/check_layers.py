@@ -17,12 +17,12 @@ OUTSIDE = {"include/tamis": [], "bindings/c": [], "bindings/python/src": ["pytho
            "tools/audit": [],
            # Files set the floating-point state as the library does.
            "tools/files": ["audit", "numerics", "paths"], "tools/scenes": ["files"], "tools/command": ["audit", "files", "scenes"], "integrations": ["c", "files"],
-           "bench/contenders": ["files", "scenes", "oracle", "bench", "lab"], "bench/distributed": ["bench"],
-           "bench/stages": ["scenes", "files", "bench", "lab", *LAYER],
-           "bench/exact": ["scenes", "files", "bench", "oracle", "support", *LAYER],
-           "bench/matrix": ["scenes", "files", "bench", "matrix"],
-           "bench/paths": ["scenes", "bench"], "bench/questions": ["scenes", "files", "bench", "questions"],
-           "bench/subspace": ["scenes", "bench", "lab"], "bench/worlds": ["scenes", "bench", "worlds"],
+           "benchmarks/contenders": ["files", "scenes", "oracle", "benchmarks", "lab"], "benchmarks/distributed": ["benchmarks"],
+           "benchmarks/stages": ["scenes", "files", "benchmarks", "lab", *LAYER],
+           "benchmarks/exact": ["scenes", "files", "benchmarks", "oracle", "support", *LAYER],
+           "benchmarks/matrix": ["scenes", "files", "benchmarks", "matrix"],
+           "benchmarks/paths": ["scenes", "benchmarks"], "benchmarks/questions": ["scenes", "files", "benchmarks", "questions"],
+           "benchmarks/subspace": ["scenes", "benchmarks", "lab"], "benchmarks/worlds": ["scenes", "benchmarks", "worlds"],
            # The laboratory: its methods may include all layers; its queries and its command may not.
            "lab": ["scenes", *LAYER], "lab/queries": ["files", "lab"], "lab/command": ["files", "scenes", "command", "lab"]}
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)

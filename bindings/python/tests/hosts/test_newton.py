@@ -226,5 +226,5 @@ def test_tamis_itself_needs_no_newton() -> None:
 @pytest.mark.parametrize("example", ["twist", "hanging", "poker_cards", "rollers"])
 def test_examples_touch_nowhere(example: str) -> None:
     frames = os.environ["TAMIS_NEWTON_FRAMES"]
-    script = ROOT / "bench/python/newton_example.py"
+    script = ROOT / "benchmarks/python/newton_example.py"
     subprocess.run([sys.executable, script, example, "--frames", frames, "--attach"], check=True)

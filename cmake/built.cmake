@@ -13,7 +13,7 @@ function(built_library name path)
 endfunction()
 built_library(tamis::tamis src/libtamis.a TBB::tbb GMP::gmp)
 if(TAMIS_BUILD_FUZZERS)
-  built_library(tamis_lab lab/libtamis_lab.a tamis::tamis)
+  built_library(tamis_lab paper/libtamis_lab.a tamis::tamis)
   return()
 endif()
 

@@ -17,14 +17,14 @@ OUTSIDE = {"include/tamis": [], "bindings/c": [], "bindings/python/src": ["pytho
            "tools/audit": [],
            # Files set the floating-point state as the library does.
            "tools/files": ["audit", "numerics", "paths"], "tools/scenes": ["files"], "tools/command": ["audit", "files", "scenes"], "integrations": ["c", "files"],
-           "benchmarks/contenders": ["files", "scenes", "oracle", "benchmarks", "lab"], "benchmarks/distributed": ["benchmarks"],
-           "benchmarks/stages": ["scenes", "files", "benchmarks", "lab", *LAYER],
+           "benchmarks/contenders": ["files", "scenes", "oracle", "benchmarks", "paper"], "benchmarks/distributed": ["benchmarks"],
+           "benchmarks/stages": ["scenes", "files", "benchmarks", "paper", *LAYER],
            "benchmarks/exact": ["scenes", "files", "benchmarks", "oracle", "support", *LAYER],
            "benchmarks/matrix": ["scenes", "files", "benchmarks", "matrix"],
            "benchmarks/paths": ["scenes", "benchmarks"], "benchmarks/questions": ["scenes", "files", "benchmarks", "questions"],
-           "benchmarks/subspace": ["scenes", "benchmarks", "lab"], "benchmarks/worlds": ["scenes", "benchmarks", "worlds"],
+           "benchmarks/subspace": ["scenes", "benchmarks", "paper"], "benchmarks/worlds": ["scenes", "benchmarks", "worlds"],
            # The laboratory: its methods may include all layers; its queries and its command may not.
-           "lab": ["scenes", *LAYER], "lab/queries": ["files", "lab"], "lab/command": ["files", "scenes", "command", "lab"]}
+           "paper": ["scenes", *LAYER], "paper/queries": ["files", "paper"], "paper/command": ["files", "scenes", "command", "paper"]}
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 
@@ -58,8 +58,8 @@ def main() -> int:
     for name, folder in folders:
         for path in sorted(p for p in folder.rglob("*") if p.suffix in (".hpp", ".cpp")):
             place = path.relative_to(root).as_posix()
-            # Tests may include anything; lab/command and lab/queries have lines of their own in OUTSIDE.
-            if "/tests/" in place or (name == "lab" and place.startswith(("lab/command/", "lab/queries/"))):
+            # Tests may include anything; paper/command and paper/queries have lines of their own in OUTSIDE.
+            if "/tests/" in place or (name == "paper" and place.startswith(("paper/command/", "paper/queries/"))):
                 continue
             for used in INCLUDE.findall(path.read_text()):
                 if not may_include(name, used.split("/")[0]):

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "benchmarks/contenders/contender.hpp"
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "scenes/point_math.hpp"
 #include "tamis/pair.hpp"
 

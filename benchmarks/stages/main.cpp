@@ -4,7 +4,7 @@
 
 #include "benchmarks/stages/workload.hpp"
 #include "curves/chain_motion.hpp"
-#include "lab/filters/filters.hpp"
+#include "paper/filters/filters.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis::bench {

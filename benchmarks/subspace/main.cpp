@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "benchmarks/timing.hpp"
-#include "lab/detector.hpp"
-#include "lab/reduced_scene.hpp"
+#include "paper/detector.hpp"
+#include "paper/reduced_scene.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // one that looks at every pair.
 #include <gtest/gtest.h>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "scenes/random.hpp"
 #include "scenes/scene_list.hpp"
 #include "support/as_new.hpp"

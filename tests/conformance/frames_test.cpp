@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "files/mesh/mesh_file.hpp"
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_data.hpp"
 #include "support/test_names.hpp"

@@ -1,7 +1,7 @@
 // All published queries through the two calls for one pair.
 #include <gtest/gtest.h>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "support/test_data.hpp"
 #include "tamis/pair.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "lab/queries/queries.hpp"
+#include "paper/queries/queries.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/test_data.hpp"
 #include "tamis/rigid_path.hpp"

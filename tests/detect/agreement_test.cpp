@@ -2,7 +2,7 @@
 // contact that one of them misses or makes up.
 #include <gtest/gtest.h>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "detect/at_start_options.hpp"
 #include "exact/exact.hpp"
-#include "lab/detector.hpp"
-#include "lab/pairs.hpp"
+#include "paper/detector.hpp"
+#include "paper/pairs.hpp"
 #include "query/pair_vertices.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"

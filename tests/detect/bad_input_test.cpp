@@ -6,7 +6,7 @@
 #include <string>
 #include <thread>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "scenes/random.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"

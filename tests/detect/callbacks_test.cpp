@@ -13,7 +13,7 @@
 #include <limits>
 #include <thread>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "support/every_question.hpp"
 #include "support/test_names.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "scenes/scene_list.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "support/every_question.hpp"
 #include "support/test_names.hpp"
 #include "support/thread_seconds.hpp"

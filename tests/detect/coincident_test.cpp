@@ -2,7 +2,7 @@
 // one decides the answer, and a search that goes on when nothing can change the answer any more.
 #include <gtest/gtest.h>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/flat_sheets.hpp"
 #include "support/shortened.hpp"

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "exact/exact.hpp"
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/kernels_here.hpp"
 #include "support/test_names.hpp"

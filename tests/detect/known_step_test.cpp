@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/step_lengths.hpp"
 #include "support/test_names.hpp"

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "lab/detector.hpp"
-#include "lab/pairs.hpp"
+#include "paper/detector.hpp"
+#include "paper/pairs.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"

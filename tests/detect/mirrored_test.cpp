@@ -2,7 +2,7 @@
 // point loses 2 to 10 % of these contacts; no method may lose one.
 #include <gtest/gtest.h>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "scenes/scene_list.hpp"
 #include "support/ask_pair.hpp"
 #include "support/contact_sets.hpp"

@@ -9,8 +9,8 @@
 
 #include "exact/exact_distance.hpp"
 #include "exact/nearest_point.hpp"
-#include "lab/detector.hpp"
-#include "lab/pairs.hpp"
+#include "paper/detector.hpp"
+#include "paper/pairs.hpp"
 #include "scenes/random.hpp"
 #include "support/contact_sets.hpp"
 #include "support/kernels_here.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "scenes/point_math.hpp"
 #include "scenes/scene_list.hpp"
 #include "support/contact_sets.hpp"

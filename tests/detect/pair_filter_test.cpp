@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/flat_sheets.hpp"
 #include "support/test_names.hpp"

@@ -6,8 +6,8 @@
 #include <functional>
 #include <string>
 
-#include "lab/detector.hpp"
-#include "lab/pairs.hpp"
+#include "paper/detector.hpp"
+#include "paper/pairs.hpp"
 #include "support/contact_sets.hpp"
 #include "support/kernels_here.hpp"
 #include "support/test_names.hpp"

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "lab/detector.hpp"
-#include "lab/pairs.hpp"
+#include "paper/detector.hpp"
+#include "paper/pairs.hpp"
 #include "support/as_new.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"

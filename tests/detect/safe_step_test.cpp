@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "lab/detector.hpp"
-#include "lab/pairs.hpp"
+#include "paper/detector.hpp"
+#include "paper/pairs.hpp"
 #include "narrow/near_pair.hpp"
 #include "query/pair_vertices.hpp"
 #include "support/as_new.hpp"

@@ -2,7 +2,7 @@
 // after the step is none.
 #include <gtest/gtest.h>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "lab/pairs.hpp"
+#include "paper/pairs.hpp"
 #include "tamis/pair_distance.hpp"
 
 namespace tamis::test {

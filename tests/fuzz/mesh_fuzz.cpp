@@ -8,7 +8,7 @@
 
 #include "fuzz/moving_points.hpp"
 #include "fuzz/require.hpp"
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "tamis/tamis.hpp"
 
 namespace tamis::fuzz {

@@ -1,6 +1,6 @@
 // Any bytes through the reader of queries: finite coordinates, or one printable sentence.
 #include "fuzz/reader_checks.hpp"
-#include "lab/queries/queries.hpp"
+#include "paper/queries/queries.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   tamis::fuzz::check_reader(data, size, [](std::string_view bytes) {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "paths/counted_path.hpp"
 #include "paths/turning_pairs.hpp"
 #include "scenes/shapes.hpp"

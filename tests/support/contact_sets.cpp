@@ -5,7 +5,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "lab/pairs.hpp"
+#include "paper/pairs.hpp"
 
 namespace tamis::test {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/scene.hpp"
 #include "tamis/contact.hpp"

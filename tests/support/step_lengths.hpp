@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "scenes/scene.hpp"
 #include "tamis/detector.hpp"
 

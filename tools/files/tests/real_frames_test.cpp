@@ -5,7 +5,7 @@
 
 #include "files/file_bytes.hpp"
 #include "files/mesh/mesh_file.hpp"
-#include "lab/queries/queries.hpp"
+#include "paper/queries/queries.hpp"
 #include "support/test_data.hpp"
 
 namespace tamis::io {

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "lab/detector.hpp"
+#include "paper/detector.hpp"
 #include "scenes/simulation/simulator.hpp"
 #include "scenes/simulation/tests/intersection.hpp"
 #include "tamis/error.hpp"

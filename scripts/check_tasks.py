@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that the body of every loop that oneTBB runs is wrapped by as_task (src/numerics/floating_point_state.hpp):
+"""Checks that the body of every loop that oneTBB runs is wrapped by as_task (src/numbers/floating_point_state.hpp):
 oneTBB's threads have the floating-point state of their arena, in which error bounds need not hold."""
 import pathlib
 import re

@@ -5,7 +5,7 @@
 #include "distributed/src/first_of_all.hpp"
 #include "distributed/src/same_on_all.hpp"
 #include "distributed/src/searches.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 #include "tamis/busy_guard.hpp"
 #include "tamis/distributed.hpp"
 #include "tamis/error.hpp"

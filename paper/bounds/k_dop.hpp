@@ -6,8 +6,8 @@
 
 #include "paper/bounds/moving_points.hpp"
 #include "motion/pair_motion.hpp"
-#include "numerics/assert.hpp"
-#include "numerics/axes.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/axes.hpp"
 
 namespace tamis::lab {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/assert.hpp"
-#include "numerics/scale.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/scale.hpp"
 
 namespace tamis::lab {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "motion/pair_kinds.hpp"
 #include "motion/pair_motion.hpp"
-#include "numerics/assert.hpp"
-#include "numerics/scale.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/scale.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"
 

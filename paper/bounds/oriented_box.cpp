@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "paper/bounds/principal_axes.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis::lab {
 namespace {

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "numerics/assert.hpp"
-#include "numerics/vec.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/vec.hpp"
 #include "tamis/mesh.hpp"
 
 namespace tamis::lab {

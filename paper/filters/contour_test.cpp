@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis::lab {
 namespace {

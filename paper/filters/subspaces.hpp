@@ -8,7 +8,7 @@
 #include <xsimd/xsimd.hpp>
 
 #include "filters/filter.hpp"
-#include "numerics/axes.hpp"
+#include "numbers/axes.hpp"
 
 namespace tamis::lab::subspaces {
 

@@ -16,7 +16,7 @@
 #include "paper/pipeline/tester.hpp"
 #include "paper/topology/orphan_sets.hpp"
 #include "paper/topology/surface.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 #include "query/engine.hpp"
 #include "query/stage_counts.hpp"
 #include "query/stopwatch.hpp"

@@ -6,8 +6,8 @@
 #include "filters/ncf.hpp"
 #include "motion/decision.hpp"
 #include "narrow/crossing.hpp"
-#include "numerics/assert.hpp"
-#include "numerics/interval.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/interval.hpp"
 
 namespace tamis::lab {
 
@@ -28,7 +28,7 @@ inline constexpr double kShortest = 0x1p-20;
 /// Evaluations for one pair; ordinary pairs need 3 to 12.
 inline constexpr int kMaxEvaluations = 96;
 inline constexpr std::size_t kMaxDepth = 32;
-/// Error bound of the cubic's value at a time in [0,1], in the form of those in numerics/error_bounds.hpp. Its
+/// Error bound of the cubic's value at a time in [0,1], in the form of those in numbers/error_bounds.hpp. Its
 /// coefficients' errors, weighted by (1-t)^(3-i) t^i: at most kCoplanarityEnd + kCoplanarityMiddle / 4 = 320 u.
 /// Evaluation, with |K0|,|K3| <= 6 and |K1|,|K2| <= 18: below 12 * 10.5 = 126 u.
 inline constexpr double kCoplanarityValue = 450;

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "paper/bvh/refit.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "topology/at.hpp"
 
 namespace tamis::lab {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/interval.hpp"
+#include "numbers/interval.hpp"
 #include "topology/at.hpp"
 
 namespace tamis::lab {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "paper/topology/representatives.hpp"
-#include "numerics/assert.hpp"
-#include "numerics/interval.hpp"
-#include "numerics/vec.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/interval.hpp"
+#include "numbers/vec.hpp"
 #include "topology/at.hpp"
 
 namespace tamis::lab {

@@ -2,7 +2,7 @@
 #pragma once
 #include <array>
 
-#include "numerics/vec.hpp"
+#include "numbers/vec.hpp"
 
 namespace tamis {
 

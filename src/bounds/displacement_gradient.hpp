@@ -6,7 +6,7 @@
 #include <span>
 
 #include "bounds/packed_motion.hpp"
-#include "numerics/vec.hpp"
+#include "numbers/vec.hpp"
 
 namespace tamis {
 

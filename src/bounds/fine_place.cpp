@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

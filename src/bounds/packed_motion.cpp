@@ -8,8 +8,8 @@
 #include "bounds/box.hpp"
 #include "bounds/scene_vertices.hpp"
 #include "bounds/shared_motion.hpp"
-#include "numerics/assert.hpp"
-#include "numerics/in_parts.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/in_parts.hpp"
 
 namespace tamis {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "bounds/box_frame.hpp"
 #include "motion/separations.hpp"
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis {

@@ -1,6 +1,6 @@
 #include "bounds/scene_vertices.hpp"
 
-#include "numerics/in_parts.hpp"
+#include "numbers/in_parts.hpp"
 
 namespace tamis {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "numerics/error_bounds.hpp"
+#include "numbers/error_bounds.hpp"
 
 namespace tamis {
 namespace {

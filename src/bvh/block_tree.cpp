@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "numerics/assert.hpp"
-#include "numerics/in_parts.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/in_parts.hpp"
 
 namespace tamis {
 namespace {

@@ -12,8 +12,8 @@
 #include "bounds/packed_motion.hpp"
 #include "bvh/group_order.hpp"
 #include "bvh/order_axes.hpp"
-#include "numerics/held_bytes.hpp"
-#include "numerics/raw_array.hpp"
+#include "numbers/held_bytes.hpp"
+#include "numbers/raw_array.hpp"
 #include "tamis/mesh.hpp"
 
 namespace tamis {

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "bounds/box.hpp"
-#include "numerics/counting_sort.hpp"
+#include "numbers/counting_sort.hpp"
 
 namespace tamis {
 namespace {

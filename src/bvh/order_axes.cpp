@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "bounds/box.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "bounds/moving_boxes.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 
 namespace tamis {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <span>
 
-#include "numerics/raw_array.hpp"
+#include "numbers/raw_array.hpp"
 #include "tamis/mesh.hpp"
 
 namespace tamis {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 

@@ -7,7 +7,7 @@
 
 #include "kernels/kernels.hpp"
 #include "motion/time_clip.hpp"
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 
 namespace tamis {
 

@@ -5,7 +5,7 @@
 
 #include "coherence/kept_lists.hpp"
 #include "coherence/predicted_step.hpp"
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "query/contact_collector.hpp"
 
 namespace tamis {

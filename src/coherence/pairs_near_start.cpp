@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numerics/error_bounds.hpp"
-#include "numerics/in_parts.hpp"
-#include "numerics/mean_of_most.hpp"
+#include "numbers/error_bounds.hpp"
+#include "numbers/in_parts.hpp"
+#include "numbers/mean_of_most.hpp"
 #include "topology/at.hpp"
 #include "topology/neighbourhood_maximum.hpp"
 

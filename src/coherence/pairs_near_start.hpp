@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coherence/kept_lists.hpp"
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 
 namespace tamis {
 

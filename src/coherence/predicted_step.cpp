@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/assert.hpp"
-#include "numerics/in_parts.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/in_parts.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis {

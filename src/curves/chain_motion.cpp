@@ -6,9 +6,9 @@
 #include "curves/fine_point.hpp"
 #include "curves/rigid_transform.hpp"
 #include "curves/rounded_rotation.hpp"
-#include "numerics/axes.hpp"
-#include "numerics/error_bounds.hpp"
-#include "numerics/finite.hpp"
+#include "numbers/axes.hpp"
+#include "numbers/error_bounds.hpp"
+#include "numbers/finite.hpp"
 
 namespace tamis {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "curves/curvature.hpp"
-#include "numerics/error_bounds.hpp"
-#include "numerics/finite.hpp"
+#include "numbers/error_bounds.hpp"
+#include "numbers/finite.hpp"
 #include "tamis/rigid_path.hpp"
 
 namespace tamis {

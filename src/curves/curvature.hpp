@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "numerics/interval.hpp"
+#include "numbers/interval.hpp"
 
 namespace tamis {
 

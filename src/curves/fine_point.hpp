@@ -2,8 +2,8 @@
 #pragma once
 #include <algorithm>
 
-#include "numerics/interval.hpp"
-#include "numerics/vec.hpp"
+#include "numbers/interval.hpp"
+#include "numbers/vec.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "curves/chain_motion.hpp"
-#include "numerics/floating_point_state.hpp"
-#include "numerics/number_text.hpp"
+#include "numbers/floating_point_state.hpp"
+#include "numbers/number_text.hpp"
 #include "tamis/error.hpp"
 #include "tamis/rigid_path.hpp"
 #include "topology/points.hpp"

@@ -6,7 +6,7 @@
 #include "curves/chain_motion.hpp"
 #include "curves/fine_point.hpp"
 #include "curves/rigid_transform.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 

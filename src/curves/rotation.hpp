@@ -4,8 +4,8 @@
 #pragma once
 #include <array>
 
-#include "numerics/interval.hpp"
-#include "numerics/vec.hpp"
+#include "numbers/interval.hpp"
+#include "numbers/vec.hpp"
 
 namespace tamis::rotation {
 

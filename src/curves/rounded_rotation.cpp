@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "curves/rotation.hpp"
-#include "numerics/assert.hpp"
-#include "numerics/error_bounds.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/error_bounds.hpp"
 
 namespace tamis {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "curves/curvature.hpp"
 #include "curves/fine_point.hpp"
-#include "numerics/error_bounds.hpp"
-#include "numerics/finite.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/error_bounds.hpp"
+#include "numbers/finite.hpp"
+#include "numbers/floating_point_state.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 #include "query/isolated.hpp"
 
 namespace tamis {

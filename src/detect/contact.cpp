@@ -4,7 +4,7 @@
 #include <string>
 
 #include "detect/pair_faults.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "numerics/in_parts.hpp"
+#include "numbers/in_parts.hpp"
 #include "query/contact_collector.hpp"
 #include "topology/at.hpp"
 

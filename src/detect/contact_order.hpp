@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "numerics/counting_sort.hpp"
+#include "numbers/counting_sort.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis {

@@ -8,7 +8,7 @@
 #include "detect/arena.hpp"
 #include "detect/contact_order.hpp"
 #include "detect/detector_access.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 #include "query/engine.hpp"
 #include "query/stopwatch.hpp"
 #include "tamis/busy_guard.hpp"

@@ -5,7 +5,7 @@
 
 #include "detect/pair_faults.hpp"
 #include "narrow/decide.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "query/cancellation.hpp"
 #include "query/pair_vertices.hpp"
 #include "search/pair_buffer.hpp"

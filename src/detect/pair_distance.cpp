@@ -8,7 +8,7 @@
 #include "narrow/decide.hpp"
 #include "narrow/kept_distance.hpp"
 #include "narrow/near_pair.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 #include "query/step_limit.hpp"
 #include "tamis/error.hpp"
 

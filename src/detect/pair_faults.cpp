@@ -1,7 +1,7 @@
 #include "detect/pair_faults.hpp"
 
 #include "motion/pair_kinds.hpp"
-#include "numerics/finite.hpp"
+#include "numbers/finite.hpp"
 
 namespace tamis {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "detect/stored.hpp"
 #include "motion/make_motion.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "tamis/proximity.hpp"
 
 namespace tamis {

@@ -4,9 +4,9 @@
 
 #include "exact/start_distance.hpp"
 #include "narrow/near_pair.hpp"
-#include "numerics/assert.hpp"
-#include "numerics/in_parts.hpp"
-#include "numerics/length.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/in_parts.hpp"
+#include "numbers/length.hpp"
 #include "query/cancellation.hpp"
 #include "query/pair_vertices.hpp"
 #include "topology/at.hpp"

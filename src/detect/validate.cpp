@@ -7,9 +7,9 @@
 
 #include "detect/enum_names.hpp"
 #include "detect/stored.hpp"
-#include "numerics/finite.hpp"
-#include "numerics/in_parts.hpp"
-#include "numerics/number_text.hpp"
+#include "numbers/finite.hpp"
+#include "numbers/in_parts.hpp"
+#include "numbers/number_text.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 

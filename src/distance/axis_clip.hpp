@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "motion/difference_corners.hpp"
-#include "numerics/assert.hpp"
-#include "numerics/error_bounds.hpp"
-#include "numerics/unit_vector.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/error_bounds.hpp"
+#include "numbers/unit_vector.hpp"
 
 namespace tamis {
 

@@ -2,8 +2,8 @@
 // the axis along which the features are apart.
 #pragma once
 #include "motion/pair_kinds.hpp"
-#include "numerics/select.hpp"
-#include "numerics/vec.hpp"
+#include "numbers/select.hpp"
+#include "numbers/vec.hpp"
 
 namespace tamis {
 

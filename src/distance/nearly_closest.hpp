@@ -3,7 +3,7 @@
 // 60 operations for edges, 100 for a vertex and a face.
 #pragma once
 #include "motion/pair_motion.hpp"
-#include "numerics/error_bounds.hpp"
+#include "numbers/error_bounds.hpp"
 
 namespace tamis {
 

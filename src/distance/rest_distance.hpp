@@ -5,8 +5,8 @@
 #include "distance/closest.hpp"
 #include "motion/difference_corners.hpp"
 #include "motion/pair_motion.hpp"
-#include "numerics/assert.hpp"
-#include "numerics/unit_vector.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/unit_vector.hpp"
 
 namespace tamis {
 

@@ -3,8 +3,8 @@
 // bounds in doubles of narrow/kept_distance.hpp. Cost: about 150 operations.
 #pragma once
 #include "motion/difference_corners.hpp"
-#include "numerics/axes.hpp"
-#include "numerics/error_bounds.hpp"
+#include "numbers/axes.hpp"
+#include "numbers/error_bounds.hpp"
 
 namespace tamis {
 

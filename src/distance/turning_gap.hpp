@@ -7,7 +7,7 @@
 #include "filters/filter.hpp"
 #include "motion/difference_corners.hpp"
 #include "motion/time_clip.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "exact/approximate_polynomial.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/approximate_polynomial.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

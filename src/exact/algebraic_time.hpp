@@ -1,6 +1,6 @@
 // A time in [0,1] that is a root of an integer polynomial, and the signs of other polynomials at it.
 #pragma once
-#include "exact/integer_polynomial.hpp"
+#include "numbers/integer_polynomial.hpp"
 #include "motion/time_clip.hpp"
 
 namespace tamis {

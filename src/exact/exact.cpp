@@ -8,7 +8,7 @@
 #include "exact/start_distance.hpp"
 #include "motion/pair_kinds.hpp"
 #include "motion/polynomials.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

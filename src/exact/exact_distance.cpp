@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "exact/nearest_point.hpp"
-#include "numerics/unit_vector.hpp"
+#include "numbers/unit_vector.hpp"
 
 namespace tamis {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

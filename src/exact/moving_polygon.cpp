@@ -4,7 +4,7 @@
 
 #include "exact/units.hpp"
 #include "motion/pair_kinds.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

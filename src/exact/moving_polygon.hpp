@@ -8,10 +8,10 @@
 #include <cstddef>
 #include <optional>
 
-#include "exact/dyadic_cell.hpp"
+#include "numbers/dyadic_cell.hpp"
 #include "motion/make_motion.hpp"
 #include "motion/polynomials.hpp"
-#include "numerics/word.hpp"
+#include "numbers/word.hpp"
 
 namespace tamis {
 

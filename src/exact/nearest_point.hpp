@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "exact/moving_polygon.hpp"
-#include "numerics/assert.hpp"
-#include "numerics/wide_double.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/wide_double.hpp"
 
 namespace tamis {
 

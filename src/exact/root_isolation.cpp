@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

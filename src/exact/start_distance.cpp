@@ -6,7 +6,7 @@
 
 #include "exact/nearest_point.hpp"
 #include "motion/polynomials.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

@@ -10,7 +10,7 @@
 #include <span>
 
 #include "motion/make_motion.hpp"
-#include "numerics/word.hpp"
+#include "numbers/word.hpp"
 
 namespace tamis {
 

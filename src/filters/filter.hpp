@@ -15,8 +15,8 @@
 #include <type_traits>
 
 #include "motion/pair_motion.hpp"
-#include "numerics/error_bounds.hpp"
-#include "numerics/select.hpp"
+#include "numbers/error_bounds.hpp"
+#include "numbers/select.hpp"
 
 namespace tamis {
 

@@ -8,7 +8,7 @@
 #include "filters/filter.hpp"
 #include "motion/difference_corners.hpp"
 #include "motion/time_clip.hpp"
-#include "numerics/axes.hpp"
+#include "numbers/axes.hpp"
 
 namespace tamis {
 

@@ -1,7 +1,7 @@
 // Computes the sixteen boxes of a leaf block in lanes, from vertices that are gathered by index.
 #pragma once
 #include "bvh/block_tree.hpp"
-#include "numerics/lanes.hpp"
+#include "numbers/lanes.hpp"
 
 namespace tamis::TAMIS_ISA {
 

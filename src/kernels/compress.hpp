@@ -3,7 +3,7 @@
 #include "kernels/kernels.hpp"
 #include "kernels/sixteen_lanes.hpp"
 #include "motion/time_clip.hpp"
-#include "numerics/lanes.hpp"
+#include "numbers/lanes.hpp"
 
 namespace tamis::TAMIS_ISA {
 

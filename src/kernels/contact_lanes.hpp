@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "kernels/kernels.hpp"
-#include "numerics/lanes.hpp"
-#include "numerics/vec.hpp"
+#include "numbers/lanes.hpp"
+#include "numbers/vec.hpp"
 
 namespace tamis::TAMIS_ISA {
 

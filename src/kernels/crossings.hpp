@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "narrow/crossing.hpp"
-#include "numerics/lanes.hpp"
+#include "numbers/lanes.hpp"
 
 namespace tamis::TAMIS_ISA {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "kernels/load_vertices.hpp"
 #include "motion/pair_motion.hpp"
-#include "numerics/lanes.hpp"
+#include "numbers/lanes.hpp"
 
 namespace tamis::TAMIS_ISA {
 
@@ -10,7 +10,7 @@ namespace tamis::TAMIS_ISA {
 /// (PairBuffer).
 enum class Course { step, along_edge };
 
-/// scale_below_one() (numerics/scale.hpp) in lanes: 2^(-1-exponent), kept in the normal range. For 0 the two differ.
+/// scale_below_one() (numbers/scale.hpp) in lanes: 2^(-1-exponent), kept in the normal range. For 0 the two differ.
 inline DoubleLanes scale_to_one(const DoubleLanes& size) {
   using Int64Lanes = xsimd::batch<std::int64_t, Arch>;
   const Int64Lanes biased = same_bits<std::int64_t>(size) >> 52;

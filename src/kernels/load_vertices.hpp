@@ -4,8 +4,8 @@
 
 #include "kernels/kernels.hpp"
 #include "motion/pair_kinds.hpp"
-#include "numerics/lanes.hpp"
-#include "numerics/vec.hpp"
+#include "numbers/lanes.hpp"
+#include "numbers/vec.hpp"
 
 namespace tamis::TAMIS_ISA {
 

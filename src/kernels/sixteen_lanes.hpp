@@ -1,7 +1,7 @@
 // The sixteen lanes of a block: in batches, and by the bits of a mask.
 #pragma once
 #include "bounds/moving_boxes.hpp"
-#include "numerics/lanes.hpp"
+#include "numbers/lanes.hpp"
 
 namespace tamis::TAMIS_ISA {
 

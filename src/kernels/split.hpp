@@ -2,7 +2,7 @@
 #pragma once
 #include "bvh/spatial_order.hpp"
 #include "kernels/rank.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis::TAMIS_ISA {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "motion/pair_kinds.hpp"
-#include "numerics/assert.hpp"
-#include "numerics/finite.hpp"
-#include "numerics/scale.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/finite.hpp"
+#include "numbers/scale.hpp"
 
 namespace tamis {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "motion/pair_motion.hpp"
-#include "numerics/double_double.hpp"
+#include "numbers/double_double.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis {

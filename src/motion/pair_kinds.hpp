@@ -5,7 +5,7 @@
 #include <span>
 #include <type_traits>
 
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis {

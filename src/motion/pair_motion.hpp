@@ -7,8 +7,8 @@
 #pragma once
 #include <cmath>
 
-#include "numerics/assert.hpp"
-#include "numerics/unit_vector.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/unit_vector.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis {

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "motion/pair_motion.hpp"
-#include "numerics/error_bounds.hpp"
-#include "numerics/select.hpp"
+#include "numbers/error_bounds.hpp"
+#include "numbers/select.hpp"
 
 namespace tamis {
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "motion/pair_kinds.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 

@@ -1,8 +1,8 @@
 // The ray-slab test in time: cuts from an interval all times at which some linear function (a gap) is positive. Serves
 // boxes and pairs of features alike.
 #pragma once
-#include "numerics/error_bounds.hpp"
-#include "numerics/select.hpp"
+#include "numbers/error_bounds.hpp"
+#include "numbers/select.hpp"
 
 namespace tamis {
 

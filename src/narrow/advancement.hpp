@@ -4,7 +4,7 @@
 #pragma once
 #include "distance/orthogonal_axis.hpp"
 #include "filters/filter.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 

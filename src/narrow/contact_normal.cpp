@@ -6,8 +6,8 @@
 #include "exact/exact.hpp"
 #include "exact/exact_distance.hpp"
 #include "narrow/crossing_slope.hpp"
-#include "numerics/assert.hpp"
-#include "numerics/unit_vector.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/unit_vector.hpp"
 
 namespace tamis {
 namespace {

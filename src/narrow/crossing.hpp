@@ -8,7 +8,7 @@
 #include "motion/time_clip.hpp"
 #include "narrow/crossing_root.hpp"
 #include "narrow/crossing_sides.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <array>
 
-#include "numerics/select.hpp"
+#include "numbers/select.hpp"
 
 namespace tamis::crossing {
 

@@ -3,8 +3,8 @@
 #pragma once
 #include "motion/pair_kinds.hpp"
 #include "motion/pair_motion.hpp"
-#include "numerics/error_bounds.hpp"
-#include "numerics/select.hpp"
+#include "numbers/error_bounds.hpp"
+#include "numbers/select.hpp"
 
 namespace tamis::crossing {
 

@@ -5,7 +5,7 @@
 #include "motion/polynomials.hpp"
 #include "motion/time_clip.hpp"
 #include "narrow/crossing_root.hpp"
-#include "numerics/error_bounds.hpp"
+#include "numbers/error_bounds.hpp"
 
 namespace tamis::crossing {
 

@@ -12,7 +12,7 @@
 #include "narrow/crossing_root.hpp"
 #include "narrow/crossing_slope.hpp"
 #include "narrow/decisions.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

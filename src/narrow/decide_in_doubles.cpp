@@ -10,7 +10,7 @@
 #include "narrow/decisions.hpp"
 #include "narrow/first_within.hpp"
 #include "narrow/flat_root.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

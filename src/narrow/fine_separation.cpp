@@ -5,8 +5,8 @@
 #include "distance/orthogonal_axis.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/decisions.hpp"
-#include "numerics/assert.hpp"
-#include "numerics/scale.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/scale.hpp"
 
 namespace tamis {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "motion/pair_kinds.hpp"
 #include "narrow/advancement.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

@@ -11,7 +11,7 @@
 #include "motion/pair_kinds.hpp"
 #include "narrow/decide.hpp"
 #include "narrow/first_within.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

@@ -3,7 +3,7 @@
 #include "distance/rest_distance.hpp"
 #include "exact/exact_distance.hpp"
 #include "exact/start_distance.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

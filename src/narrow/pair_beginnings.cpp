@@ -9,7 +9,7 @@
 #include "motion/pair_kinds.hpp"
 #include "motion/polynomials.hpp"
 #include "narrow/decisions.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

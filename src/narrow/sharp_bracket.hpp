@@ -2,7 +2,7 @@
 #pragma once
 #include <algorithm>
 
-#include "numerics/select.hpp"
+#include "numbers/select.hpp"
 
 namespace tamis {
 

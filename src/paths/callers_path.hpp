@@ -1,6 +1,6 @@
 // A caller's path, whose functions run in the caller's floating-point state.
 #pragma once
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "narrow/crossing.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "paths/chords.hpp"
 #include "paths/first_on_path.hpp"
 #include "paths/path_parts.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "narrow/contact_normal.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "paths/chords.hpp"
 #include "paths/first_on_path.hpp"
 

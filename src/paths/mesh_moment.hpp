@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "motion/separations.hpp"
-#include "numerics/axes.hpp"
-#include "numerics/error_bounds.hpp"
-#include "numerics/number_text.hpp"
+#include "numbers/axes.hpp"
+#include "numbers/error_bounds.hpp"
+#include "numbers/number_text.hpp"
 #include "tamis/error.hpp"
 #include "tamis/path.hpp"
 

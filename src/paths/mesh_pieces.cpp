@@ -7,9 +7,9 @@
 #include <string>
 
 #include "motion/time_clip.hpp"
-#include "numerics/error_bounds.hpp"
-#include "numerics/length.hpp"
-#include "numerics/number_text.hpp"
+#include "numbers/error_bounds.hpp"
+#include "numbers/length.hpp"
+#include "numbers/number_text.hpp"
 #include "paths/path_reader.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"

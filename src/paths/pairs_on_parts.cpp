@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "motion/time_clip.hpp"
-#include "numerics/in_parts.hpp"
+#include "numbers/in_parts.hpp"
 #include "paths/path_reader.hpp"
 #include "query/cancellation.hpp"
 #include "topology/at.hpp"

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "numerics/finite.hpp"
-#include "numerics/number_text.hpp"
-#include "numerics/scale.hpp"
+#include "numbers/finite.hpp"
+#include "numbers/number_text.hpp"
+#include "numbers/scale.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {

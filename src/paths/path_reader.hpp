@@ -3,8 +3,8 @@
 #pragma once
 #include <array>
 
-#include "numerics/interval.hpp"
-#include "numerics/vec.hpp"
+#include "numbers/interval.hpp"
+#include "numbers/vec.hpp"
 #include "query/pair_vertices.hpp"
 #include "tamis/path.hpp"
 

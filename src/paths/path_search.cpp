@@ -7,10 +7,10 @@
 #include <cmath>
 #include <optional>
 
-#include "numerics/assert.hpp"
-#include "numerics/error_bounds.hpp"
-#include "numerics/floating_point_state.hpp"
-#include "numerics/in_parts.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/error_bounds.hpp"
+#include "numbers/floating_point_state.hpp"
+#include "numbers/in_parts.hpp"
 #include "paths/cached_path.hpp"
 #include "paths/carried_pair.hpp"
 #include "paths/decide_path.hpp"

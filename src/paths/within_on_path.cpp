@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "narrow/first_within.hpp"
-#include "numerics/assert.hpp"
-#include "numerics/error_bounds.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/error_bounds.hpp"
 #include "paths/chords.hpp"
 #include "paths/first_on_path.hpp"
 #include "paths/path_parts.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "numerics/assert.hpp"
-#include "numerics/held_bytes.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/held_bytes.hpp"
 #include "topology/rows.hpp"
 
 namespace tamis {

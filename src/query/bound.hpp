@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 

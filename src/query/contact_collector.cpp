@@ -7,7 +7,7 @@
 #include "motion/time_clip.hpp"
 #include "narrow/decide.hpp"
 #include "narrow/sharp_bracket.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "query/cancellation.hpp"
 #include "topology/countable.hpp"
 

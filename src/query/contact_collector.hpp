@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "narrow/decide.hpp"
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "query/bound.hpp"
 #include "query/first_contact.hpp"
 #include "query/query.hpp"

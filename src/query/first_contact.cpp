@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <tuple>
 
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 

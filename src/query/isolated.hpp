@@ -4,7 +4,7 @@
 #pragma once
 #include <tbb/task_arena.h>
 
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 
 namespace tamis {
 

@@ -1,6 +1,6 @@
 // May two vertices touch, by their groups?
 #pragma once
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "tamis/options.hpp"
 
 namespace tamis {

@@ -5,7 +5,7 @@
 
 #include "motion/make_motion.hpp"
 #include "motion/pair_kinds.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 

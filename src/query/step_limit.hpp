@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "narrow/near_pair.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "query/pair_vertices.hpp"
 #include "query/query.hpp"
 #include "tamis/step_length.hpp"

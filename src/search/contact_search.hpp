@@ -2,7 +2,7 @@
 // several steps, and the list is asked; else the trees are searched.
 #pragma once
 #include "coherence/pairs_ahead.hpp"
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "search/candidate_search.hpp"
 #include "search/contact_consumer.hpp"
 #include "search/thread_streams.hpp"

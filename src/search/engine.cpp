@@ -2,7 +2,7 @@
 // buffers.
 #include "query/engine.hpp"
 
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "search/contact_search.hpp"
 #include "search/intersection_search.hpp"
 #include "search/proximity_search.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "bvh/order_axes.hpp"
-#include "numerics/assert.hpp"
-#include "numerics/in_parts.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/in_parts.hpp"
 #include "query/cancellation.hpp"
 #include "query/stopwatch.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "bvh/block_tree.hpp"
 #include "kernels/kernels.hpp"
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "tamis/options.hpp"
 #include "tamis/statistics.hpp"
 #include "topology/loose_features.hpp"

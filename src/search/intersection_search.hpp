@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "query/bound.hpp"
 #include "search/thread_streams.hpp"
 

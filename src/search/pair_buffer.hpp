@@ -3,7 +3,7 @@
 // distance). Only the rings (Query::are_neighbours) are asked after that.
 #pragma once
 #include "kernels/kernels.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "query/isolated.hpp"
 #include "query/pair_groups.hpp"
 #include "query/pair_vertices.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "query/cancellation.hpp"
 #include "search/pair_buffer.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "narrow/near_pair.hpp"
-#include "numerics/in_parts.hpp"
+#include "numbers/in_parts.hpp"
 #include "query/cancellation.hpp"
 #include "search/pair_buffer.hpp"
 #include "topology/countable.hpp"

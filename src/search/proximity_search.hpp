@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "query/pair_vertices.hpp"
 #include "query/proximity_order.hpp"
 #include "search/thread_streams.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bounds/box.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "numerics/in_parts.hpp"
+#include "numbers/in_parts.hpp"
 #include "query/isolated.hpp"
 #include "query/pair_vertices.hpp"
 #include "search/workspace.hpp"

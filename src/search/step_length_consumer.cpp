@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/error_bounds.hpp"
+#include "numbers/error_bounds.hpp"
 #include "query/cancellation.hpp"
 #include "search/pair_buffer.hpp"
 

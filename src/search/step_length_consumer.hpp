@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bounds/shared_motion.hpp"
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "query/bound.hpp"
 #include "query/step_limit.hpp"
 #include "search/pair_stream.hpp"

@@ -5,7 +5,7 @@
 // start is asked about again and again, the pairs near it are listed, and the list is asked.
 #pragma once
 #include "coherence/pairs_near_start.hpp"
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "search/candidate_search.hpp"
 #include "search/step_length_consumer.hpp"
 #include "search/thread_streams.hpp"

@@ -1,6 +1,6 @@
 // The streams of all threads that take part in a question.
 #pragma once
-#include "numerics/in_parts.hpp"
+#include "numbers/in_parts.hpp"
 #include "search/pair_stream.hpp"
 #include "search/samples.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "query/stopwatch.hpp"
 #include "search/feature_trees.hpp"
 #include "search/search_counts.hpp"

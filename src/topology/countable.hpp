@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "tamis/error.hpp"
 #include "tamis/mesh.hpp"
 

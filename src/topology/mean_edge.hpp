@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "numerics/length.hpp"
-#include "numerics/mean_of_most.hpp"
+#include "numbers/length.hpp"
+#include "numbers/mean_of_most.hpp"
 #include "tamis/components.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"

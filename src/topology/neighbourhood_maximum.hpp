@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "tamis/components.hpp"
 
 namespace tamis {

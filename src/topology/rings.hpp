@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "tamis/mesh.hpp"
 
 namespace tamis {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "numerics/axes.hpp"
-#include "numerics/error_bounds.hpp"
+#include "numbers/axes.hpp"
+#include "numbers/error_bounds.hpp"
 #include "topology/at.hpp"
 #include "topology/points.hpp"
 #include "world/body_bounds.hpp"

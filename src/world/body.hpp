@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "curves/chain_motion.hpp"
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/world.hpp"
 #include "world/body_shape.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "curves/curvature.hpp"
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {

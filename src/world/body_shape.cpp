@@ -5,7 +5,7 @@
 #include "curves/rigid_transform.hpp"
 #include "detect/enum_names.hpp"
 #include "kernels/kernels.hpp"
-#include "numerics/finite.hpp"
+#include "numbers/finite.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 #include "topology/mean_edge.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
 #include "topology/loose_features.hpp"

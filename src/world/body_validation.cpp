@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "numerics/finite.hpp"
-#include "numerics/number_text.hpp"
+#include "numbers/finite.hpp"
+#include "numbers/number_text.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 #include "world/body.hpp"

@@ -7,7 +7,7 @@
 #include "bounds/box.hpp"
 #include "bounds/moving_boxes.hpp"
 #include "bvh/spatial_order.hpp"
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {

@@ -6,8 +6,8 @@
 
 #include "curves/curvature.hpp"
 #include "motion/time_clip.hpp"
-#include "numerics/error_bounds.hpp"
-#include "numerics/held_bytes.hpp"
+#include "numbers/error_bounds.hpp"
+#include "numbers/held_bytes.hpp"
 #include "paths/mesh_pieces.hpp"
 #include "query/cancellation.hpp"
 #include "topology/at.hpp"

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "numerics/assert.hpp"
-#include "numerics/held_bytes.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/held_bytes.hpp"
 #include "tamis/mesh.hpp"
 #include "topology/at.hpp"
 

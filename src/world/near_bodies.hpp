@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "numerics/error_bounds.hpp"
+#include "numbers/error_bounds.hpp"
 #include "world/body.hpp"
 
 namespace tamis {

@@ -6,7 +6,7 @@
 #include <set>
 #include <span>
 
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 #include "query/cancellation.hpp"
 #include "topology/at.hpp"
 #include "world/body_bounds.hpp"

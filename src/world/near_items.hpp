@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "world/index_set.hpp"
 #include "world/near_bodies.hpp"
 

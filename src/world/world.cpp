@@ -3,8 +3,8 @@
 #include <string>
 
 #include "detect/validate.hpp"
-#include "numerics/floating_point_state.hpp"
-#include "numerics/number_text.hpp"
+#include "numbers/floating_point_state.hpp"
+#include "numbers/number_text.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 #include "world/world_state.hpp"

@@ -5,7 +5,7 @@
 
 #include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
-#include "numerics/held_bytes.hpp"
+#include "numbers/held_bytes.hpp"
 #include "query/stage_counts.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernels/kernels.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 #include "query/stopwatch.hpp"
 #include "tamis/busy_guard.hpp"
 #include "world/gathering.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 #include <random>
 
-#include "numerics/vec.hpp"
+#include "numbers/vec.hpp"
 
 namespace tamis {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/exact.hpp"
-#include "numerics/vec.hpp"
+#include "numbers/vec.hpp"
 #include "support/pair_cases.hpp"
 #include "support/test_data.hpp"
 

@@ -1,6 +1,6 @@
 // Every constant of error_bounds.hpp against exact rational arithmetic: the observed error stays below the bound, over
 // whole steps and parts of them. The worst ratio is recorded: near 1 the derivation has a gap, near 0 it is wasteful.
-#include "numerics/error_bounds.hpp"
+#include "numbers/error_bounds.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-// Death tests of contracts (numerics/assert.hpp); skipped in builds that do not check them.
+// Death tests of contracts (numbers/assert.hpp); skipped in builds that do not check them.
 #pragma once
 #include <gtest/gtest.h>
 
-#include "numerics/assert.hpp"
+#include "numbers/assert.hpp"
 
 namespace tamis::test {
 

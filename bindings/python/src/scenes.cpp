@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/signals.hpp"

@@ -6,7 +6,7 @@
 #include "files/file_bytes.hpp"
 #include "files/json_file.hpp"
 #include "files/mesh/frames.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 
 namespace tamis::io {
 namespace {

@@ -11,7 +11,7 @@
 #include "files/file_bytes.hpp"
 #include "files/mesh/mesh_formats.hpp"
 #include "files/text.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 
 namespace tamis::io {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "files/error.hpp"
 #include "files/extension.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 
 namespace tamis::io {
 namespace {

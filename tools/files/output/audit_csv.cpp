@@ -1,7 +1,7 @@
 #include "files/output/audit_csv.hpp"
 
 #include "files/output/csv_table.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 
 namespace tamis::io {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "files/atomic_file.hpp"
 #include "files/output/contact_geometry.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 
 namespace tamis::io {
 namespace {

@@ -9,7 +9,7 @@
 #include "files/output/colours.hpp"
 #include "files/output/contact_geometry.hpp"
 #include "files/output/glb_scene.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 
 namespace tamis::io {
 namespace {

@@ -5,7 +5,7 @@
 #include "files/picture/legend.hpp"
 #include "files/picture/png.hpp"
 #include "files/picture/scenery.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 
 namespace tamis::io {
 namespace {

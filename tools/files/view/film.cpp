@@ -6,7 +6,7 @@
 
 #include "files/extent.hpp"
 #include "files/view/path_positions.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 #include "paths/callers_path.hpp"
 
 namespace tamis::io {

@@ -9,7 +9,7 @@
 #include "files/error.hpp"
 #include "files/view/quantised.hpp"
 #include "files/view/scene_bytes.hpp"
-#include "numerics/floating_point_state.hpp"
+#include "numbers/floating_point_state.hpp"
 
 // The built page becomes part of the program, or of the module for Python.
 asm(".section .rodata\n"

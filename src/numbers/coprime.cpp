@@ -1,0 +1,59 @@
+#include <utility>
+
+#include "numbers/integer_polynomial.hpp"
+#include "numbers/assert.hpp"
+
+namespace tamis {
+namespace {
+
+constexpr std::uint64_t kPrime = (std::uint64_t{1} << 61) - 1;
+
+std::uint64_t times(std::uint64_t a, std::uint64_t b) {
+  __extension__ using Wide = unsigned __int128;
+  const Wide product = Wide{a} * b;
+  const std::uint64_t sum = static_cast<std::uint64_t>(product & kPrime) + static_cast<std::uint64_t>(product >> 61);
+  return sum >= kPrime ? sum - kPrime : sum;
+}
+
+std::uint64_t minus(std::uint64_t a, std::uint64_t b) { return a >= b ? a - b : a + kPrime - b; }
+
+struct Residues {
+  std::array<std::uint64_t, IntegerPolynomial::kMaxDegree + 1> powers{};
+  int degree = -1;
+
+  explicit Residues(const IntegerPolynomial& p) : degree(p.degree()) {
+    for (int i = 0; i <= degree; ++i) at(i) = mpz_fdiv_ui(p[i].get(), kPrime);
+  }
+  std::uint64_t& at(int i) { return powers[static_cast<std::size_t>(i)]; }
+  bool has_lost_degree() { return at(degree) == 0; }
+
+  /// Becomes the remainder, modulo b, of this polynomial times a power of b's leading coefficient.
+  void reduce_modulo(Residues& b) {
+    while (degree >= b.degree) {
+      const std::uint64_t leading = at(degree);
+      const int shift = degree - b.degree;
+      for (int i = 0; i < degree; ++i) {
+        at(i) = times(at(i), b.at(b.degree));
+        if (i >= shift) at(i) = minus(at(i), times(leading, b.at(i - shift)));
+      }
+      at(degree) = 0;
+      while (degree >= 0 && at(degree) == 0) --degree;
+    }
+  }
+};
+
+}  // namespace
+
+bool are_surely_coprime(const IntegerPolynomial& p, const IntegerPolynomial& q) {
+  TAMIS_ASSERT(!p.is_zero() && !q.is_zero());
+  Residues a(p), b(q);
+  if (a.has_lost_degree() || b.has_lost_degree()) return false;
+  if (a.degree < b.degree) std::swap(a, b);
+  while (b.degree > 0) {
+    a.reduce_modulo(b);
+    std::swap(a, b);
+  }
+  return b.degree == 0;
+}
+
+}  // namespace tamis

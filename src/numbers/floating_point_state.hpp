@@ -1,0 +1,138 @@
+// The state of a thread that decides how results round. Error bounds hold only if results round to nearest and
+// subnormal numbers are numbers. Engines and other callers set other states, so every public function that computes
+// begins with a ComputingState, and each task for another thread too (in_parts.hpp); callers' functions run in a
+// CallersState.
+//
+// Known are x86-64 (MXCSR; and the x87 word, which the C library's strtod reads) and 64-bit ARM (FPCR). On any other
+// machine nothing is read or set: a port must add its register here, or its callers must leave the state as it begins.
+#pragma once
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+
+#include "numbers/plain_arithmetic.hpp"
+
+namespace tamis {
+
+/// The bits of a thread's registers that decide how results round, which subnormal numbers are zero, and which results
+/// raise a signal.
+struct FloatingPointState {
+#if defined(__x86_64__)
+  std::uint32_t sse = 0x1f80;  ///< of MXCSR all but the flags that tell what has happened
+  std::uint32_t x87 = 0;       ///< of the control word the two bits of the rounding direction
+#elif defined(__aarch64__)
+  std::uint64_t fpcr = 0;
+#endif
+  bool operator==(const FloatingPointState&) const = default;
+};
+
+/// To nearest, nothing flushed, no signal.
+inline constexpr FloatingPointState kToNearest;
+
+#if defined(__x86_64__)
+inline FloatingPointState floating_point_state() {
+  std::uint32_t sse = 0;
+  std::uint16_t x87 = 0;
+  asm volatile("stmxcsr %0\n\tfnstcw %1" : "=m"(sse), "=m"(x87) : : "memory");
+  return {sse & 0xffc0U, x87 & 0x0c00U};
+}
+/// Leaves all other bits as they are.
+inline void set_floating_point_state(const FloatingPointState& state) {
+  std::uint32_t sse = 0;
+  std::uint16_t x87 = 0;
+  asm volatile("stmxcsr %0\n\tfnstcw %1" : "=m"(sse), "=m"(x87) : : "memory");
+  sse = (sse & ~0xffc0U) | state.sse;
+  x87 = static_cast<std::uint16_t>((x87 & ~0x0c00U) | state.x87);
+  asm volatile("ldmxcsr %0\n\tfldcw %1" : : "m"(sse), "m"(x87) : "memory");
+}
+#elif defined(__aarch64__)
+inline FloatingPointState floating_point_state() {
+  std::uint64_t fpcr = 0;
+  asm volatile("mrs %0, fpcr" : "=r"(fpcr) : : "memory");
+  return {fpcr};
+}
+inline void set_floating_point_state(const FloatingPointState& state) {
+  asm volatile("msr fpcr, %0" : : "r"(state.fpcr) : "memory");
+}
+#else
+inline FloatingPointState floating_point_state() { return {}; }
+inline void set_floating_point_state(const FloatingPointState&) {}
+#endif
+
+/// Whom this thread computes for: part of the thread's state, as the registers are.
+struct ComputesFor {
+  bool is_computing = false;
+  FloatingPointState caller;  ///< if it computes: the state of the caller
+};
+inline constinit thread_local ComputesFor computes_for;
+
+/// Results round to nearest while it lives; afterwards the thread has its state of before, also after an exception.
+class ComputingState {
+ public:
+  /// At a door of the library. A thread that computes already has another caller: the one of the outer door.
+  ComputingState() : ComputingState(floating_point_state()) {}
+  /// In a task of a thread that computes for this caller.
+  static ComputingState for_caller(const FloatingPointState& caller) { return {floating_point_state(), caller}; }
+  ~ComputingState() {
+    if (floating_point_state() != before_) set_floating_point_state(before_);
+    computes_for = outer_;
+  }
+  ComputingState(const ComputingState&) = delete;
+  ComputingState& operator=(const ComputingState&) = delete;
+
+ private:
+  /// A thread that computes, but in another state, waits: meanwhile oneTBB has given it a task of the caller's.
+  explicit ComputingState(const FloatingPointState& now)
+      : ComputingState(now, computes_for.is_computing && now == kToNearest ? computes_for.caller : now) {}
+  ComputingState(const FloatingPointState& now, const FloatingPointState& caller) : before_(now), outer_(computes_for) {
+    if (before_ != kToNearest) set_floating_point_state(kToNearest);
+    computes_for = {true, caller};
+  }
+
+  const FloatingPointState before_;
+  const ComputesFor outer_;
+};
+
+/// The result of f(), computed in a ComputingState: for the initializers of constructors.
+template <class F>
+auto computing(const F& f) {
+  const ComputingState state;
+  return f();
+}
+
+/// The state of the caller for whom this thread computes.
+inline FloatingPointState callers_state() {
+  return computes_for.is_computing ? computes_for.caller : floating_point_state();
+}
+
+/// The thread has its caller's state while this lives, for one of the caller's functions.
+class CallersState {
+ public:
+  CallersState() : computes_for_(computes_for) {
+    if (!computes_for_.is_computing) return;
+    if (computes_for_.caller != kToNearest) set_floating_point_state(computes_for_.caller);
+    computes_for = {};
+  }
+  ~CallersState() {
+    if (!computes_for_.is_computing) return;
+    if (floating_point_state() != kToNearest) set_floating_point_state(kToNearest);
+    computes_for = computes_for_;
+  }
+  CallersState(const CallersState&) = delete;
+  CallersState& operator=(const CallersState&) = delete;
+
+ private:
+  const ComputesFor computes_for_;
+};
+
+/// f as the body of a parallel loop: it computes for this thread's caller, whatever thread runs it. oneTBB's threads
+/// have the state of the arena, from when that was made.
+template <class F>
+auto as_task(const F& f) {
+  return [&f, caller = callers_state()](auto&&... of) -> std::invoke_result_t<const F&, decltype(of)...> {
+    const ComputingState state = ComputingState::for_caller(caller);
+    return f(std::forward<decltype(of)>(of)...);
+  };
+}
+
+}  // namespace tamis

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "paper/pairs.hpp"
-#include "narrow/decide.hpp"
-#include "narrow/near_pair.hpp"
+#include "pair/narrow/decide.hpp"
+#include "pair/narrow/near_pair.hpp"
 #include "query/cancellation.hpp"
 #include "query/pair_groups.hpp"
 #include "query/pair_vertices.hpp"

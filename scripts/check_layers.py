@@ -7,8 +7,8 @@ import re
 import sys
 
 # A layer may include itself and layers with a smaller number. The lists elsewhere are in ascending order.
-LAYER = {"numbers": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filters": 3, "distance": 4, "curves": 4,
-         "exact": 5, "narrow": 6, "kernels": 7, "query": 8, "coherence": 9, "search": 10,
+LAYER = {"numbers": 0, "pair/motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "pair/filters": 3, "pair/distance": 4, "curves": 4,
+         "pair/exact": 5, "pair/narrow": 6, "kernels": 7, "query": 8, "coherence": 9, "search": 10,
          "paths": 11, "detect": 12, "world": 13}
 # Folders outside the library, and what each may include besides itself and the public headers.
 OUTSIDE = {"include/tamis": [], "bindings/c": [], "bindings/python/src": ["python", "audit", "files", "scenes", "numerics"],

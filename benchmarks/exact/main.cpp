@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/exact.hpp"
+#include "pair/exact/exact.hpp"
 #include "support/ask_pair.hpp"
 #include "support/pair_cases.hpp"
 

@@ -7,7 +7,7 @@
 #include "bounds/packed_motion.hpp"
 #include "bvh/block_tree.hpp"
 #include "kernels/kernels.hpp"
-#include "motion/make_motion.hpp"
+#include "pair/motion/make_motion.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::bench {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "paper/bounds/moving_points.hpp"
-#include "motion/pair_motion.hpp"
+#include "pair/motion/pair_motion.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/axes.hpp"
 

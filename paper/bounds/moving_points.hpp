@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "motion/pair_kinds.hpp"
-#include "motion/pair_motion.hpp"
+#include "pair/motion/pair_kinds.hpp"
+#include "pair/motion/pair_motion.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/scale.hpp"
 #include "tamis/mesh.hpp"

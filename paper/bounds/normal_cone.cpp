@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "motion/polynomials.hpp"
+#include "pair/motion/polynomials.hpp"
 
 namespace tamis::lab {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 #include <array>
 
-#include "motion/pair_motion.hpp"
+#include "pair/motion/pair_motion.hpp"
 
 namespace tamis::lab {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "motion/pair_motion.hpp"
+#include "pair/motion/pair_motion.hpp"
 
 namespace tamis::lab {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <cmath>
 
-#include "motion/pair_motion.hpp"
+#include "pair/motion/pair_motion.hpp"
 
 namespace tamis::lab {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "motion/pair_motion.hpp"
+#include "pair/motion/pair_motion.hpp"
 
 namespace tamis::lab {
 

@@ -2,9 +2,9 @@
 #pragma once
 #include <span>
 
-#include "filters/dnf.hpp"
-#include "filters/ncf.hpp"
-#include "filters/slab_clip.hpp"
+#include "pair/filters/dnf.hpp"
+#include "pair/filters/ncf.hpp"
+#include "pair/filters/slab_clip.hpp"
 #include "paper/filters/ncf_published.hpp"
 #include "paper/filters/pfs_linear.hpp"
 #include "paper/filters/pfs_planar.hpp"

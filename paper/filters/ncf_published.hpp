@@ -6,7 +6,7 @@
 // is tested once, because its five coefficients are those of -|n|^2 for each of the three edges. Ncf does not test it.
 // Error bound: error_bounds::kSide*. Cost: VF about 500 operations, EE about 470; less when an early edge culls.
 #pragma once
-#include "filters/ncf.hpp"
+#include "pair/filters/ncf.hpp"
 
 namespace tamis::lab {
 

@@ -5,8 +5,8 @@
 // We deviate: their axes may also be polynomials of time; DNF (the normal) and NCF (edge x normal) are those tests.
 // Error bound: kAxisProjection times the axis' largest component. Cost: 8 (VF) or 6 (EE) axes of about 50.
 #pragma once
-#include "filters/filter.hpp"
-#include "motion/difference_corners.hpp"
+#include "pair/filters/filter.hpp"
+#include "pair/motion/difference_corners.hpp"
 
 namespace tamis::lab {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <xsimd/xsimd.hpp>
 
-#include "filters/filter.hpp"
+#include "pair/filters/filter.hpp"
 #include "numbers/axes.hpp"
 
 namespace tamis::lab::subspaces {

@@ -1,11 +1,11 @@
 // Interval Newton on the coplanarity cubic, then the inside test at the root: the elementary test of the paper
 // (Du, Tang, Tong 2012; the solver is that of Snyder 1992 and Redon, Kheddar, Coquillart 2002).
 // Each interval of time is proven to hold no contact, or to hold a root at which the features touch; a pair with an
-// interval that is neither is unsure, and left to narrow/decide.hpp.
+// interval that is neither is unsure, and left to pair/narrow/decide.hpp.
 #pragma once
-#include "filters/ncf.hpp"
-#include "motion/decision.hpp"
-#include "narrow/crossing.hpp"
+#include "pair/filters/ncf.hpp"
+#include "pair/motion/decision.hpp"
+#include "pair/narrow/crossing.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/interval.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "paper/pairs.hpp"
 #include "paper/pipeline/interval_newton.hpp"
-#include "narrow/decide.hpp"
-#include "narrow/sharp_bracket.hpp"
+#include "pair/narrow/decide.hpp"
+#include "pair/narrow/sharp_bracket.hpp"
 #include "query/cancellation.hpp"
 #include "query/stage_counts.hpp"
 #include "query/stopwatch.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bounds/box_frame.hpp"
-#include "motion/separations.hpp"
+#include "pair/motion/separations.hpp"
 #include "numbers/held_bytes.hpp"
 #include "tamis/step.hpp"
 

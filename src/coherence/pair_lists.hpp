@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernels/kernels.hpp"
-#include "motion/time_clip.hpp"
+#include "pair/motion/time_clip.hpp"
 #include "numbers/held_bytes.hpp"
 
 namespace tamis {

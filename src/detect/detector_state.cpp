@@ -7,7 +7,7 @@
 #include "detect/stored.hpp"
 #include "detect/truncation.hpp"
 #include "detect/validate.hpp"
-#include "narrow/near_pair.hpp"
+#include "pair/narrow/near_pair.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/held_bytes.hpp"
 #include "numbers/in_parts.hpp"

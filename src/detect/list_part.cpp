@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "detect/pair_faults.hpp"
-#include "narrow/decide.hpp"
+#include "pair/narrow/decide.hpp"
 #include "numbers/assert.hpp"
 #include "query/cancellation.hpp"
 #include "query/pair_vertices.hpp"

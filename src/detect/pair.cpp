@@ -7,7 +7,7 @@
 
 #include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
-#include "narrow/decide.hpp"
+#include "pair/narrow/decide.hpp"
 #include "numbers/finite.hpp"
 #include "numbers/floating_point_state.hpp"
 #include "paths/callers_path.hpp"

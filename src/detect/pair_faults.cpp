@@ -1,6 +1,6 @@
 #include "detect/pair_faults.hpp"
 
-#include "motion/pair_kinds.hpp"
+#include "pair/motion/pair_kinds.hpp"
 #include "numbers/finite.hpp"
 
 namespace tamis {

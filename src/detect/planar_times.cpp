@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "motion/pair_kinds.hpp"
-#include "narrow/near_pair.hpp"
+#include "pair/motion/pair_kinds.hpp"
+#include "pair/narrow/near_pair.hpp"
 #include "topology/points.hpp"
 
 namespace tamis {

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "detect/stored.hpp"
-#include "motion/make_motion.hpp"
+#include "pair/motion/make_motion.hpp"
 #include "numbers/assert.hpp"
 #include "tamis/proximity.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "exact/start_distance.hpp"
-#include "narrow/near_pair.hpp"
+#include "pair/exact/start_distance.hpp"
+#include "pair/narrow/near_pair.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/in_parts.hpp"
 #include "numbers/length.hpp"

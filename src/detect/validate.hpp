@@ -2,7 +2,7 @@
 #pragma once
 #include <string_view>
 
-#include "motion/separations.hpp"
+#include "pair/motion/separations.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"

@@ -1,16 +1,16 @@
 // When do pairs come within their separation? Each pair takes as many steps of conservative advancement as it needs
-// (narrow/advancement.hpp). After each step the pairs that go on are compacted, so that no lane waits for the slowest.
-// Undecided pairs then take the same steps one at a time (narrow/first_within.hpp), with the same bits.
+// (pair/narrow/advancement.hpp). After each step the pairs that go on are compacted, so that no lane waits for the slowest.
+// Undecided pairs then take the same steps one at a time (pair/narrow/first_within.hpp), with the same bits.
 #pragma once
 #include <limits>
 
-#include "distance/rest_distance.hpp"
-#include "filters/slab_clip.hpp"
+#include "pair/distance/rest_distance.hpp"
+#include "pair/filters/slab_clip.hpp"
 #include "kernels/compress.hpp"
 #include "kernels/contact_lanes.hpp"
 #include "kernels/load_motion.hpp"
-#include "narrow/advancement.hpp"
-#include "narrow/sharp_bracket.hpp"
+#include "pair/narrow/advancement.hpp"
+#include "pair/narrow/sharp_bracket.hpp"
 
 namespace tamis::TAMIS_ISA {
 

@@ -5,7 +5,7 @@
 #include "bounds/moving_boxes.hpp"
 #include "kernels/kernels.hpp"
 #include "kernels/sixteen_lanes.hpp"
-#include "motion/time_clip.hpp"
+#include "pair/motion/time_clip.hpp"
 #include "numbers/lanes.hpp"
 
 namespace tamis::TAMIS_ISA {

@@ -1,13 +1,13 @@
 // The stages in lanes over a buffer of pairs that may cross: slab clip, DNF, NCF and the solver of one crossing.
 #pragma once
-#include "filters/dnf.hpp"
-#include "filters/ncf.hpp"
-#include "filters/slab_clip.hpp"
+#include "pair/filters/dnf.hpp"
+#include "pair/filters/ncf.hpp"
+#include "pair/filters/slab_clip.hpp"
 #include "kernels/compress.hpp"
 #include "kernels/contact_lanes.hpp"
 #include "kernels/crossings.hpp"
 #include "kernels/load_motion.hpp"
-#include "narrow/clipped_crossing.hpp"
+#include "pair/narrow/clipped_crossing.hpp"
 
 namespace tamis::TAMIS_ISA {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <optional>
 
-#include "narrow/crossing.hpp"
+#include "pair/narrow/crossing.hpp"
 #include "numbers/lanes.hpp"
 
 namespace tamis::TAMIS_ISA {

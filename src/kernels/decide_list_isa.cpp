@@ -4,7 +4,7 @@
 #include "kernels/crossings.hpp"
 #include "kernels/isa_declarations.hpp"
 #include "kernels/load_motion.hpp"
-#include "narrow/clipped_crossing.hpp"
+#include "pair/narrow/clipped_crossing.hpp"
 
 namespace tamis::TAMIS_ISA {
 namespace {

@@ -33,7 +33,7 @@ struct SolvedPair {
   PairResult result;  ///< if it is decided; a normal of NaN leaves the place to integers (contact_normal.hpp)
 };
 
-/// Pairs that advance towards the time at which they come within their separation (narrow/advancement.hpp): proven
+/// Pairs that advance towards the time at which they come within their separation (pair/narrow/advancement.hpp): proven
 /// apart until `now`; times after `until` are not asked about. Beyond `count` only vertices must be valid; the other
 /// arrays are not initialized.
 struct AdvanceBuffer {
@@ -58,7 +58,7 @@ struct ClearanceBounds {
 };
 
 /// Which pairs may end the step before `t_limit`, where each must keep a fraction of its distance beyond the separation
-/// (distance/kept_gap.hpp).
+/// (pair/distance/kept_gap.hpp).
 struct KeepRule {
   float fraction;         ///< rounded up
   float reach_per_speed;  ///< t_limit / (1 - fraction), rounded up
@@ -141,7 +141,7 @@ struct PairKernels {
   /// enough.
   void (*measure)(const PackedVertex* vertices, const PairBuffer& in, NearPair* out) = nullptr;
   /// Decides pairs of a list on the whole step, each with the bits of decide(), as far as crossings in doubles
-  /// (narrow/clipped_crossing.hpp) or, with a separation, advancement (advance_lanes.hpp) decide them. Writes
+  /// (pair/narrow/clipped_crossing.hpp) or, with a separation, advancement (advance_lanes.hpp) decide them. Writes
   /// results[places[i]]. Writes the places of the other pairs, which are for decide() or have coordinates that are not
   /// finite, to `undecided`, and returns their number. `rest` is scratch.
   int (*decide_list)(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,

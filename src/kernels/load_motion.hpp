@@ -1,7 +1,7 @@
 // The motions of several pairs at once, one a lane.
 #pragma once
 #include "kernels/load_vertices.hpp"
-#include "motion/pair_motion.hpp"
+#include "pair/motion/pair_motion.hpp"
 #include "numbers/lanes.hpp"
 
 namespace tamis::TAMIS_ISA {

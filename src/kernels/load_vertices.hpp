@@ -3,7 +3,7 @@
 #include <array>
 
 #include "kernels/kernels.hpp"
-#include "motion/pair_kinds.hpp"
+#include "pair/motion/pair_kinds.hpp"
 #include "numbers/lanes.hpp"
 #include "numbers/vec.hpp"
 

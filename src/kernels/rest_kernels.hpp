@@ -1,6 +1,6 @@
 // Pairs at rest: which are within their separation, and the NearPair of each.
 #pragma once
-#include "distance/rest_distance.hpp"
+#include "pair/distance/rest_distance.hpp"
 #include "kernels/compress.hpp"
 #include "kernels/load_motion.hpp"
 

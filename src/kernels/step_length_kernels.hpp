@@ -1,7 +1,7 @@
 // Which pairs of a buffer may end a step, where each must keep a fraction of its distance.
 #pragma once
-#include "distance/kept_gap.hpp"
-#include "distance/start_gap.hpp"
+#include "pair/distance/kept_gap.hpp"
+#include "pair/distance/start_gap.hpp"
 #include "kernels/compress.hpp"
 #include "kernels/load_motion.hpp"
 

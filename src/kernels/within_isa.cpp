@@ -1,5 +1,5 @@
 // Kernels for pairs with a separation; compiled once for each instruction set.
-#include "distance/turning_gap.hpp"
+#include "pair/distance/turning_gap.hpp"
 #include "kernels/advance_lanes.hpp"
 #include "kernels/compress.hpp"
 #include "kernels/isa_declarations.hpp"

@@ -3,7 +3,7 @@
 // of the vectors involved.
 //
 // A pair is three moving vectors e, f, d with sizes E, F, D = the largest |component| at t=0 and t=1, scaled by a
-// power of two so that the largest size is below 1 (motion/pair_motion.hpp).
+// power of two so that the largest size is below 1 (pair/motion/pair_motion.hpp).
 #pragma once
 #include "numbers/plain_arithmetic.hpp"
 #include "numbers/select.hpp"
@@ -118,7 +118,7 @@ inline constexpr double kTurningGap = 96;
 // The same, where the least distance is a part of that at t=0: kGap and kLength, 27 more.
 inline constexpr double kKeptGap = 128;
 
-// A part of D + E + F. While a pair's clearance exceeds it, advancement (narrow/first_within.hpp) goes on, and each
+// A part of D + E + F. While a pair's clearance exceeds it, advancement (pair/narrow/first_within.hpp) goes on, and each
 // advance is at least 1/16 of this part of the step (docs/numerics/steps.md, "Step lengths").
 inline constexpr double kAdvanceClearance = 0x1p-10;
 

@@ -11,7 +11,7 @@
 
 namespace tamis {
 
-/// Has what the templates of motion/polynomials.hpp need, as Integer does, and says whether its sign is known.
+/// Has what the templates of pair/motion/polynomials.hpp need, as Integer does, and says whether its sign is known.
 class Estimate {
  public:
   Estimate() = default;

@@ -12,7 +12,7 @@
 
 namespace tamis {
 
-/// Has what the templates of motion/polynomials.hpp and Horner's rule need; get() opens the rest of GMP.
+/// Has what the templates of pair/motion/polynomials.hpp and Horner's rule need; get() opens the rest of GMP.
 class Integer {
  public:
   Integer() noexcept { use_own_limbs(); }

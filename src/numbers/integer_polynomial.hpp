@@ -18,7 +18,7 @@ class IntegerPolynomial {
     powers_[0] = constant;
     find_degree(0);
   }
-  /// From Bernstein coefficients without their binomials, as motion/polynomials.hpp gives them.
+  /// From Bernstein coefficients without their binomials, as pair/motion/polynomials.hpp gives them.
   template <std::size_t N>
   static IntegerPolynomial from_bernstein(std::array<Integer, N> coefficients);
 

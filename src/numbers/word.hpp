@@ -7,7 +7,7 @@
 
 namespace tamis {
 
-/// Below 2^63 in size: coordinates of 61 bits (exact/units.hpp), their differences, and differences of velocities.
+/// Below 2^63 in size: coordinates of 61 bits (pair/exact/units.hpp), their differences, and differences of velocities.
 /// REQUIRES, all operators (not checked: hot): the result fits.
 struct Word {
   std::int64_t value = 0;

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "curves/fine_point.hpp"
-#include "distance/closest.hpp"
-#include "filters/dnf.hpp"
-#include "filters/ncf.hpp"
-#include "motion/pair_kinds.hpp"
+#include "pair/distance/closest.hpp"
+#include "pair/filters/dnf.hpp"
+#include "pair/filters/ncf.hpp"
+#include "pair/motion/pair_kinds.hpp"
 #include "paths/path_reader.hpp"
 
 namespace tamis {

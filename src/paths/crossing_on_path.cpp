@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "narrow/crossing.hpp"
+#include "pair/narrow/crossing.hpp"
 #include "numbers/assert.hpp"
 #include "paths/chords.hpp"
 #include "paths/first_on_path.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "narrow/contact_normal.hpp"
+#include "pair/narrow/contact_normal.hpp"
 #include "numbers/assert.hpp"
 #include "paths/chords.hpp"
 #include "paths/first_on_path.hpp"

@@ -4,9 +4,9 @@
 #pragma once
 #include <optional>
 
-#include "motion/decision.hpp"
-#include "motion/time_clip.hpp"
-#include "narrow/kept_distance.hpp"
+#include "pair/motion/decision.hpp"
+#include "pair/motion/time_clip.hpp"
+#include "pair/narrow/kept_distance.hpp"
 #include "paths/path_reader.hpp"
 
 namespace tamis {

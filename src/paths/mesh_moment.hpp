@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/separations.hpp"
+#include "pair/motion/separations.hpp"
 #include "numbers/axes.hpp"
 #include "numbers/error_bounds.hpp"
 #include "numbers/number_text.hpp"

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <string>
 
-#include "motion/time_clip.hpp"
+#include "pair/motion/time_clip.hpp"
 #include "numbers/error_bounds.hpp"
 #include "numbers/length.hpp"
 #include "numbers/number_text.hpp"

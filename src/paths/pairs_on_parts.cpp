@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "motion/time_clip.hpp"
+#include "pair/motion/time_clip.hpp"
 #include "numbers/in_parts.hpp"
 #include "paths/path_reader.hpp"
 #include "query/cancellation.hpp"

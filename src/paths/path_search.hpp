@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "motion/time_clip.hpp"
+#include "pair/motion/time_clip.hpp"
 #include "paths/mesh_pieces.hpp"
 #include "paths/pairs_on_parts.hpp"
 #include "query/engine.hpp"

@@ -1,6 +1,6 @@
 // Step lengths on curves. The distance that a pair must keep counts as its separation: the time at which it is reached
 // is found as with any other separation.
-#include "narrow/near_pair.hpp"
+#include "pair/narrow/near_pair.hpp"
 #include "paths/carried_pair.hpp"
 #include "paths/decide_path.hpp"
 #include "paths/path_reader.hpp"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "narrow/first_within.hpp"
+#include "pair/narrow/first_within.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/error_bounds.hpp"
 #include "paths/chords.hpp"

@@ -4,9 +4,9 @@
 #include <tuple>
 #include <utility>
 
-#include "motion/time_clip.hpp"
-#include "narrow/decide.hpp"
-#include "narrow/sharp_bracket.hpp"
+#include "pair/motion/time_clip.hpp"
+#include "pair/narrow/decide.hpp"
+#include "pair/narrow/sharp_bracket.hpp"
 #include "numbers/assert.hpp"
 #include "query/cancellation.hpp"
 #include "topology/countable.hpp"

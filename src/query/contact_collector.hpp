@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "narrow/decide.hpp"
+#include "pair/narrow/decide.hpp"
 #include "numbers/held_bytes.hpp"
 #include "query/bound.hpp"
 #include "query/first_contact.hpp"

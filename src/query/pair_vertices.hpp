@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "motion/make_motion.hpp"
-#include "motion/pair_kinds.hpp"
+#include "pair/motion/make_motion.hpp"
+#include "pair/motion/pair_kinds.hpp"
 #include "numbers/assert.hpp"
 
 namespace tamis {

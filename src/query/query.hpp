@@ -5,8 +5,8 @@
 #include <span>
 
 #include "bounds/box_frame.hpp"
-#include "motion/separations.hpp"
-#include "narrow/kept_distance.hpp"
+#include "pair/motion/separations.hpp"
+#include "pair/narrow/kept_distance.hpp"
 #include "query/body_pairs.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"

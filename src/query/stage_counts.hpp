@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "motion/pair_kinds.hpp"
+#include "pair/motion/pair_kinds.hpp"
 #include "tamis/statistics.hpp"
 
 namespace tamis {

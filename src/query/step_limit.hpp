@@ -2,7 +2,7 @@
 #pragma once
 #include <tuple>
 
-#include "narrow/near_pair.hpp"
+#include "pair/narrow/near_pair.hpp"
 #include "numbers/assert.hpp"
 #include "query/pair_vertices.hpp"
 #include "query/query.hpp"

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <span>
 
-#include "narrow/contact_normal.hpp"
-#include "narrow/decide.hpp"
+#include "pair/narrow/contact_normal.hpp"
+#include "pair/narrow/decide.hpp"
 #include "query/cancellation.hpp"
 #include "search/pair_buffer.hpp"
 #include "search/stages.hpp"

@@ -1,6 +1,6 @@
 #include "search/intersection_search.hpp"
 
-#include "narrow/decide.hpp"
+#include "pair/narrow/decide.hpp"
 #include "query/cancellation.hpp"
 #include "query/engine.hpp"
 #include "search/pair_buffer.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "narrow/near_pair.hpp"
+#include "pair/narrow/near_pair.hpp"
 #include "numbers/in_parts.hpp"
 #include "query/cancellation.hpp"
 #include "search/pair_buffer.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "curves/curvature.hpp"
-#include "motion/time_clip.hpp"
+#include "pair/motion/time_clip.hpp"
 #include "numbers/error_bounds.hpp"
 #include "numbers/held_bytes.hpp"
 #include "paths/mesh_pieces.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "detect/at_start_options.hpp"
-#include "exact/exact.hpp"
+#include "pair/exact/exact.hpp"
 #include "paper/detector.hpp"
 #include "paper/pairs.hpp"
 #include "query/pair_vertices.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "exact/exact.hpp"
+#include "pair/exact/exact.hpp"
 #include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/kernels_here.hpp"

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <limits>
 
-#include "exact/exact_distance.hpp"
-#include "exact/nearest_point.hpp"
+#include "pair/exact/exact_distance.hpp"
+#include "pair/exact/nearest_point.hpp"
 #include "paper/detector.hpp"
 #include "paper/pairs.hpp"
 #include "scenes/random.hpp"

@@ -8,7 +8,7 @@
 
 #include "paper/detector.hpp"
 #include "paper/pairs.hpp"
-#include "narrow/near_pair.hpp"
+#include "pair/narrow/near_pair.hpp"
 #include "query/pair_vertices.hpp"
 #include "support/as_new.hpp"
 #include "support/contact_sets.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 #include <string_view>
 
-#include "exact/exact.hpp"
+#include "pair/exact/exact.hpp"
 #include "oracle/oracle.hpp"
 
 namespace tamis::test {

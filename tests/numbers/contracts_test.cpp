@@ -4,15 +4,15 @@
 #include <limits>
 
 #include "numbers/dyadic_cell.hpp"
-#include "exact/exact_distance.hpp"
+#include "pair/exact/exact_distance.hpp"
 #include "numbers/integer_polynomial.hpp"
-#include "exact/nearest_point.hpp"
-#include "exact/root_isolation.hpp"
-#include "motion/pair_kinds.hpp"
-#include "narrow/decide.hpp"
-#include "narrow/decisions.hpp"
-#include "narrow/first_within.hpp"
-#include "narrow/kept_distance.hpp"
+#include "pair/exact/nearest_point.hpp"
+#include "pair/exact/root_isolation.hpp"
+#include "pair/motion/pair_kinds.hpp"
+#include "pair/narrow/decide.hpp"
+#include "pair/narrow/decisions.hpp"
+#include "pair/narrow/first_within.hpp"
+#include "pair/narrow/kept_distance.hpp"
 #include "numbers/interval.hpp"
 #include "topology/countable.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "narrow/decide.hpp"
+#include "pair/narrow/decide.hpp"
 
 namespace tamis::test {
 namespace {

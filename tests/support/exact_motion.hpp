@@ -2,7 +2,7 @@
 #pragma once
 #include <gmpxx.h>
 
-#include "motion/make_motion.hpp"
+#include "pair/motion/make_motion.hpp"
 #include "oracle/oracle.hpp"
 
 namespace tamis::test {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "motion/make_motion.hpp"
+#include "pair/motion/make_motion.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/random.hpp"
 #include "support/describe.hpp"

@@ -8,7 +8,7 @@
 
 #include "paper/filters/filters.hpp"
 #include "paper/pipeline/interval_newton.hpp"
-#include "motion/make_motion.hpp"
+#include "pair/motion/make_motion.hpp"
 #include "support/counted.hpp"
 
 namespace tamis::test {

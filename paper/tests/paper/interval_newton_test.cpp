@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "exact/exact.hpp"
+#include "pair/exact/exact.hpp"
 
 namespace tamis::lab {
 namespace {

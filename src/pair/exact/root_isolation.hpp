@@ -1,0 +1,14 @@
+// The roots of an integer polynomial in [0,1], told apart by Descartes' rule, bisection (Collins, Akritas 1976) and
+// Newton's method (Sagraloff, Mehlhorn 2016).
+#pragma once
+#include <vector>
+
+#include "pair/exact/algebraic_time.hpp"
+
+namespace tamis {
+
+/// The roots of `p` in [0,1], ends included, distinct and ascending. Roots after `latest` may be left out; those after
+/// the next power of two are. REQUIRES: `p` is not zero; 0 <= latest <= 1.
+std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p, double latest = 1);
+
+}  // namespace tamis

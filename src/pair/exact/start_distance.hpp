@@ -1,0 +1,20 @@
+// The distance at t=0 compared with a separation, decided exactly: rounding must not stop a step that may go a little.
+#pragma once
+#include "pair/exact/moving_polygon.hpp"
+
+namespace tamis {
+
+/// Is the origin within the separation of the polygon? Decided exactly.
+/// REQUIRES: the separation is finite, >= 0 and a multiple of the polygon's unit.
+bool is_within(const Polygon<Integer>& polygon, double separation);
+
+/// Are the features within the separation of each other at t=0? Decided exactly, by estimates where all signs are
+/// plain. REQUIRES: finite coordinates, a finite separation >= 0.
+bool starts_within(PairKind kind, const PairPoints& points, double separation);
+
+/// 0 if at t=0 the features are within `separation` of each other; else a time > 0 (unless it underflows) before which
+/// they are not: their distance less `separation`, over a bound of their relative speed; infinite if neither moves
+/// against the other. Which of these it is is decided exactly. REQUIRES: finite coordinates, a finite separation >= 0.
+double apart_from_start(PairKind kind, const PairPoints& points, double separation);
+
+}  // namespace tamis

@@ -6,11 +6,11 @@
 #include "paper/pairs.hpp"
 #include "pair/narrow/decide.hpp"
 #include "pair/narrow/near_pair.hpp"
-#include "query/cancellation.hpp"
-#include "query/pair_groups.hpp"
-#include "query/pair_vertices.hpp"
-#include "query/proximity_order.hpp"
-#include "query/stage_counts.hpp"
+#include "search/query/cancellation.hpp"
+#include "search/query/pair_groups.hpp"
+#include "search/query/pair_vertices.hpp"
+#include "search/query/proximity_order.hpp"
+#include "search/query/stage_counts.hpp"
 
 namespace tamis::lab {
 namespace {

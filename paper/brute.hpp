@@ -1,6 +1,6 @@
 // The tests' yardstick: an engine that decides every pair.
 #pragma once
-#include "query/engine.hpp"
+#include "search/query/engine.hpp"
 
 namespace tamis::lab {
 

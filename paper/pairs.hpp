@@ -1,9 +1,9 @@
 // Enumerates the pairs of features of a mesh: those without a common vertex that the caller's filter lets pass.
 #pragma once
-#include "query/isolated.hpp"
-#include "query/pair_groups.hpp"
-#include "query/pair_vertices.hpp"
-#include "topology/loose_features.hpp"
+#include "search/query/isolated.hpp"
+#include "search/query/pair_groups.hpp"
+#include "search/query/pair_vertices.hpp"
+#include "search/topology/loose_features.hpp"
 
 namespace tamis::lab {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "bounds/packed_motion.hpp"
-#include "bvh/block_tree.hpp"
-#include "kernels/kernels.hpp"
+#include "search/bounds/packed_motion.hpp"
+#include "search/bvh/block_tree.hpp"
+#include "search/kernels/kernels.hpp"
 #include "pair/motion/make_motion.hpp"
 #include "tamis/detector.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "bounds/scene_vertices.hpp"
+#include "search/bounds/scene_vertices.hpp"
 
 namespace tamis::distributed {
 namespace {

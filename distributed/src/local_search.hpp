@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "bounds/box_frame.hpp"
+#include "search/bounds/box_frame.hpp"
 #include "distributed/src/partition/element_set.hpp"
 #include "tamis/detector.hpp"
 

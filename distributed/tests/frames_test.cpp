@@ -4,7 +4,7 @@
 #include "files/mesh/mesh_file.hpp"
 #include "distributed/tests/same_answers.hpp"
 #include "support/test_data.hpp"
-#include "topology/mean_edge.hpp"
+#include "search/topology/mean_edge.hpp"
 
 namespace tamis::test {
 namespace {

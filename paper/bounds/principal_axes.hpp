@@ -1,6 +1,6 @@
 // Principal axes of a symmetric 3 x 3 matrix.
 #pragma once
-#include "bounds/displacement_gradient.hpp"
+#include "search/bounds/displacement_gradient.hpp"
 
 namespace tamis::lab {
 

@@ -17,9 +17,9 @@
 #include "paper/topology/orphan_sets.hpp"
 #include "paper/topology/surface.hpp"
 #include "numbers/floating_point_state.hpp"
-#include "query/engine.hpp"
-#include "query/stage_counts.hpp"
-#include "query/stopwatch.hpp"
+#include "search/query/engine.hpp"
+#include "search/query/stage_counts.hpp"
+#include "search/query/stopwatch.hpp"
 
 namespace tamis::lab {
 namespace {

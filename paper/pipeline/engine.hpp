@@ -1,7 +1,7 @@
 // The engine of Method::paper: the published pipeline.
 #pragma once
 #include "paper/detector.hpp"
-#include "query/engine.hpp"
+#include "search/query/engine.hpp"
 
 namespace tamis::lab {
 

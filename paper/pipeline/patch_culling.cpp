@@ -6,7 +6,7 @@
 
 #include "paper/bvh/refit.hpp"
 #include "numbers/assert.hpp"
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis::lab {
 namespace {

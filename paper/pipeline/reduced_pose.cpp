@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "numbers/interval.hpp"
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis::lab {
 namespace {

@@ -8,7 +8,7 @@
 #include "numbers/assert.hpp"
 #include "numbers/interval.hpp"
 #include "numbers/vec.hpp"
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis::lab {
 namespace {

@@ -6,10 +6,10 @@
 #include "paper/pipeline/interval_newton.hpp"
 #include "pair/narrow/decide.hpp"
 #include "pair/narrow/sharp_bracket.hpp"
-#include "query/cancellation.hpp"
-#include "query/stage_counts.hpp"
-#include "query/stopwatch.hpp"
-#include "topology/at.hpp"
+#include "search/query/cancellation.hpp"
+#include "search/query/stage_counts.hpp"
+#include "search/query/stopwatch.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis::lab {
 namespace {

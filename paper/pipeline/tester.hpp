@@ -5,8 +5,8 @@
 #include "paper/filters/filters.hpp"
 #include "paper/options.hpp"
 #include "paper/topology/representatives.hpp"
-#include "query/engine.hpp"
-#include "query/pair_vertices.hpp"
+#include "search/query/engine.hpp"
+#include "search/query/pair_vertices.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis::lab {

@@ -22,7 +22,7 @@ struct OrphanSets {
 };
 
 /// Collects pairs of features without a common vertex. Looks at all incident triangles of an edge, not just two; a face
-/// represents itself. Faces from `face_count` on are no features (topology/surface.hpp).
+/// represents itself. Faces from `face_count` on are no features (search/topology/surface.hpp).
 OrphanSets collect_orphan_sets(const Mesh& mesh, Index face_count);
 
 }  // namespace tamis::lab

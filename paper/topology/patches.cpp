@@ -4,7 +4,7 @@
 #include <map>
 #include <numeric>
 
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis::lab {
 namespace {

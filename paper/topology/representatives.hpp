@@ -16,7 +16,7 @@ struct TriangleFeatures {
 };
 
 /// The representative is the first incident triangle. REQUIRES (not checked: O(n)): every feature has one
-/// (topology/surface.hpp).
+/// (search/topology/surface.hpp).
 std::vector<TriangleFeatures> choose_representatives(const Mesh& mesh);
 
 inline bool share_a_vertex(const Face& a, const Face& b) {

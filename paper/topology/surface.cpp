@@ -1,6 +1,6 @@
 #include "paper/topology/surface.hpp"
 
-#include "topology/loose_features.hpp"
+#include "search/topology/loose_features.hpp"
 
 namespace tamis::lab {
 namespace {

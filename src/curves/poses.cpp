@@ -8,7 +8,7 @@
 #include "numbers/number_text.hpp"
 #include "tamis/error.hpp"
 #include "tamis/rigid_path.hpp"
-#include "topology/points.hpp"
+#include "search/topology/points.hpp"
 
 namespace tamis {
 namespace {

@@ -8,7 +8,7 @@
 #include "curves/rigid_transform.hpp"
 #include "numbers/floating_point_state.hpp"
 #include "tamis/error.hpp"
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis {
 namespace {

@@ -10,7 +10,7 @@
 #include "numbers/finite.hpp"
 #include "numbers/floating_point_state.hpp"
 #include "tamis/error.hpp"
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis {
 

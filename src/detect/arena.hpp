@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "numbers/floating_point_state.hpp"
-#include "query/isolated.hpp"
+#include "search/query/isolated.hpp"
 
 namespace tamis {
 

@@ -4,8 +4,8 @@
 #include <tuple>
 
 #include "numbers/in_parts.hpp"
-#include "query/contact_collector.hpp"
-#include "topology/at.hpp"
+#include "search/query/contact_collector.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis {
 namespace {

@@ -4,8 +4,8 @@
 #include <functional>
 #include <span>
 
-#include "bounds/box_frame.hpp"
-#include "query/engine.hpp"
+#include "search/bounds/box_frame.hpp"
+#include "search/query/engine.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis {

@@ -2,7 +2,7 @@
 #include "detect/detector_state.hpp"
 #include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
-#include "kernels/kernels.hpp"
+#include "search/kernels/kernels.hpp"
 #include "paths/callers_path.hpp"
 #include "paths/path_search.hpp"
 #include "tamis/error.hpp"

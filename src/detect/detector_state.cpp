@@ -12,8 +12,8 @@
 #include "numbers/held_bytes.hpp"
 #include "numbers/in_parts.hpp"
 #include "numbers/number_text.hpp"
-#include "query/cancellation.hpp"
-#include "query/pair_vertices.hpp"
+#include "search/query/cancellation.hpp"
+#include "search/query/pair_vertices.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {

@@ -4,16 +4,16 @@
 #include <optional>
 #include <vector>
 
-#include "bounds/box_frame.hpp"
+#include "search/bounds/box_frame.hpp"
 #include "detect/arena.hpp"
 #include "detect/contact_order.hpp"
 #include "detect/detector_access.hpp"
 #include "numbers/floating_point_state.hpp"
-#include "query/engine.hpp"
-#include "query/stopwatch.hpp"
+#include "search/query/engine.hpp"
+#include "search/query/stopwatch.hpp"
 #include "tamis/busy_guard.hpp"
 #include "tamis/detector.hpp"
-#include "topology/rings.hpp"
+#include "search/topology/rings.hpp"
 
 namespace tamis {
 

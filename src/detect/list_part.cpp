@@ -6,9 +6,9 @@
 #include "detect/pair_faults.hpp"
 #include "pair/narrow/decide.hpp"
 #include "numbers/assert.hpp"
-#include "query/cancellation.hpp"
-#include "query/pair_vertices.hpp"
-#include "search/pair_buffer.hpp"
+#include "search/query/cancellation.hpp"
+#include "search/query/pair_vertices.hpp"
+#include "search/engine/pair_buffer.hpp"
 
 namespace tamis {
 namespace {

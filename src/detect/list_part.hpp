@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-#include "kernels/kernels.hpp"
+#include "search/kernels/kernels.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis {

@@ -11,7 +11,7 @@
 #include "detect/validate.hpp"
 #include "numbers/finite.hpp"
 #include "numbers/floating_point_state.hpp"
-#include "query/cancellation.hpp"
+#include "search/query/cancellation.hpp"
 #include "tamis/error.hpp"
 #include "tamis/pair.hpp"
 

@@ -9,7 +9,7 @@
 #include "pair/narrow/kept_distance.hpp"
 #include "pair/narrow/near_pair.hpp"
 #include "numbers/floating_point_state.hpp"
-#include "query/step_limit.hpp"
+#include "search/query/step_limit.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {

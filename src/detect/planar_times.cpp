@@ -4,7 +4,7 @@
 
 #include "pair/motion/pair_kinds.hpp"
 #include "pair/narrow/near_pair.hpp"
-#include "topology/points.hpp"
+#include "search/topology/points.hpp"
 
 namespace tamis {
 namespace {

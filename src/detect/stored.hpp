@@ -6,7 +6,7 @@
 
 #include "tamis/positions.hpp"
 #include "tamis/stored.hpp"
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis {
 

@@ -7,11 +7,11 @@
 #include "numbers/assert.hpp"
 #include "numbers/in_parts.hpp"
 #include "numbers/length.hpp"
-#include "query/cancellation.hpp"
-#include "query/pair_vertices.hpp"
-#include "topology/at.hpp"
-#include "topology/mean_edge.hpp"
-#include "topology/neighbourhood_maximum.hpp"
+#include "search/query/cancellation.hpp"
+#include "search/query/pair_vertices.hpp"
+#include "search/topology/at.hpp"
+#include "search/topology/mean_edge.hpp"
+#include "search/topology/neighbourhood_maximum.hpp"
 
 namespace tamis {
 namespace {

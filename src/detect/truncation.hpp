@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "detect/planar_times.hpp"
-#include "query/engine.hpp"
+#include "search/query/engine.hpp"
 #include "tamis/mesh.hpp"
 
 namespace tamis {

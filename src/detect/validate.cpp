@@ -11,7 +11,7 @@
 #include "numbers/in_parts.hpp"
 #include "numbers/number_text.hpp"
 #include "tamis/error.hpp"
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis {
 namespace {

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "paths/mesh_moment.hpp"
-#include "query/isolated.hpp"
+#include "search/query/isolated.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {
 
 /// For one thread. While this thread waits in the caller's functions, it takes no other part of the question
-/// (query/isolated.hpp). Positions are the path's own, bit for bit.
+/// (search/query/isolated.hpp). Positions are the path's own, bit for bit.
 class CachedPath final : public Path {
  public:
   /// Keeps references. `used`: the vertices to cache, ascending; others may be asked for, too.

@@ -12,8 +12,8 @@
 #include "numbers/number_text.hpp"
 #include "paths/path_reader.hpp"
 #include "tamis/error.hpp"
-#include "topology/at.hpp"
-#include "topology/mean_edge.hpp"
+#include "search/topology/at.hpp"
+#include "search/topology/mean_edge.hpp"
 
 namespace tamis {
 namespace {

@@ -7,8 +7,8 @@
 #include "pair/motion/time_clip.hpp"
 #include "numbers/in_parts.hpp"
 #include "paths/path_reader.hpp"
-#include "query/cancellation.hpp"
-#include "topology/at.hpp"
+#include "search/query/cancellation.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis {
 namespace {

@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
-#include "kernels/kernels.hpp"
+#include "search/kernels/kernels.hpp"
 #include "paths/mesh_moment.hpp"
-#include "query/pair_vertices.hpp"
+#include "search/query/pair_vertices.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {

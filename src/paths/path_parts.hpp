@@ -7,7 +7,7 @@
 
 #include "paths/decide_path.hpp"
 #include "paths/path_reader.hpp"
-#include "query/cancellation.hpp"
+#include "search/query/cancellation.hpp"
 
 namespace tamis {
 

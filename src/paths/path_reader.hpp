@@ -5,7 +5,7 @@
 
 #include "numbers/interval.hpp"
 #include "numbers/vec.hpp"
-#include "query/pair_vertices.hpp"
+#include "search/query/pair_vertices.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {

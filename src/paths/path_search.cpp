@@ -14,9 +14,9 @@
 #include "paths/cached_path.hpp"
 #include "paths/carried_pair.hpp"
 #include "paths/decide_path.hpp"
-#include "query/cancellation.hpp"
-#include "topology/at.hpp"
-#include "topology/neighbourhood_maximum.hpp"
+#include "search/query/cancellation.hpp"
+#include "search/topology/at.hpp"
+#include "search/topology/neighbourhood_maximum.hpp"
 
 namespace tamis {
 namespace {

@@ -10,7 +10,7 @@
 #include "pair/motion/time_clip.hpp"
 #include "paths/mesh_pieces.hpp"
 #include "paths/pairs_on_parts.hpp"
-#include "query/engine.hpp"
+#include "search/query/engine.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {

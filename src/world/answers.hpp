@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "query/pair_vertices.hpp"
+#include "search/query/pair_vertices.hpp"
 #include "world/gathered.hpp"
 
 namespace tamis {

@@ -7,8 +7,8 @@
 
 #include "numbers/axes.hpp"
 #include "numbers/error_bounds.hpp"
-#include "topology/at.hpp"
-#include "topology/points.hpp"
+#include "search/topology/at.hpp"
+#include "search/topology/points.hpp"
 #include "world/body_bounds.hpp"
 
 namespace tamis {

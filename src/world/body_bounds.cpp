@@ -5,7 +5,7 @@
 
 #include "curves/curvature.hpp"
 #include "numbers/assert.hpp"
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "bounds/box.hpp"
+#include "search/bounds/box.hpp"
 #include "world/body.hpp"
 
 namespace tamis {

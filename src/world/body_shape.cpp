@@ -4,11 +4,11 @@
 
 #include "curves/rigid_transform.hpp"
 #include "detect/enum_names.hpp"
-#include "kernels/kernels.hpp"
+#include "search/kernels/kernels.hpp"
 #include "numbers/finite.hpp"
 #include "tamis/error.hpp"
-#include "topology/at.hpp"
-#include "topology/mean_edge.hpp"
+#include "search/topology/at.hpp"
+#include "search/topology/mean_edge.hpp"
 
 namespace tamis {
 

@@ -5,7 +5,7 @@
 #include "numbers/held_bytes.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
-#include "topology/loose_features.hpp"
+#include "search/topology/loose_features.hpp"
 #include "world/box_tree.hpp"
 
 namespace tamis {

@@ -6,7 +6,7 @@
 #include "numbers/finite.hpp"
 #include "numbers/number_text.hpp"
 #include "tamis/error.hpp"
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 #include "world/body.hpp"
 
 namespace tamis {

@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "bounds/box.hpp"
-#include "bounds/moving_boxes.hpp"
-#include "bvh/spatial_order.hpp"
+#include "search/bounds/box.hpp"
+#include "search/bounds/moving_boxes.hpp"
+#include "search/bvh/spatial_order.hpp"
 #include "numbers/held_bytes.hpp"
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "numbers/held_bytes.hpp"
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "detect/detector_state.hpp"
-#include "query/pair_vertices.hpp"
+#include "search/query/pair_vertices.hpp"
 #include "tamis/detector.hpp"
 #include "world/carried_bodies.hpp"
 #include "world/near_items.hpp"

@@ -9,8 +9,8 @@
 #include "numbers/error_bounds.hpp"
 #include "numbers/held_bytes.hpp"
 #include "paths/mesh_pieces.hpp"
-#include "query/cancellation.hpp"
-#include "topology/at.hpp"
+#include "search/query/cancellation.hpp"
+#include "search/topology/at.hpp"
 #include "world/world_state.hpp"
 
 namespace tamis {

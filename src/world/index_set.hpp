@@ -9,7 +9,7 @@
 #include "numbers/assert.hpp"
 #include "numbers/held_bytes.hpp"
 #include "tamis/mesh.hpp"
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "query/cancellation.hpp"
+#include "search/query/cancellation.hpp"
 #include "world/world_state.hpp"
 
 namespace tamis {

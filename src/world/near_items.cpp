@@ -7,8 +7,8 @@
 #include <span>
 
 #include "numbers/assert.hpp"
-#include "query/cancellation.hpp"
-#include "topology/at.hpp"
+#include "search/query/cancellation.hpp"
+#include "search/topology/at.hpp"
 #include "world/body_bounds.hpp"
 
 namespace tamis {

@@ -6,7 +6,7 @@
 #include "numbers/floating_point_state.hpp"
 #include "numbers/number_text.hpp"
 #include "tamis/error.hpp"
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 #include "world/world_state.hpp"
 
 namespace tamis {

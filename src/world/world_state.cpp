@@ -6,9 +6,9 @@
 #include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
 #include "numbers/held_bytes.hpp"
-#include "query/stage_counts.hpp"
+#include "search/query/stage_counts.hpp"
 #include "tamis/error.hpp"
-#include "topology/at.hpp"
+#include "search/topology/at.hpp"
 
 namespace tamis {
 namespace {

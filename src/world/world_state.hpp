@@ -5,9 +5,9 @@
 #include <set>
 #include <vector>
 
-#include "kernels/kernels.hpp"
+#include "search/kernels/kernels.hpp"
 #include "numbers/floating_point_state.hpp"
-#include "query/stopwatch.hpp"
+#include "search/query/stopwatch.hpp"
 #include "tamis/busy_guard.hpp"
 #include "world/gathering.hpp"
 

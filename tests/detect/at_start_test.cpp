@@ -9,7 +9,7 @@
 #include "pair/exact/exact.hpp"
 #include "paper/detector.hpp"
 #include "paper/pairs.hpp"
-#include "query/pair_vertices.hpp"
+#include "search/query/pair_vertices.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "support/as_new.hpp"

@@ -16,7 +16,7 @@
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
-#include "topology/mean_edge.hpp"
+#include "search/topology/mean_edge.hpp"
 
 namespace tamis::test {
 namespace {

@@ -9,7 +9,7 @@
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/error.hpp"
-#include "topology/rings.hpp"
+#include "search/topology/rings.hpp"
 
 namespace tamis::test {
 namespace {

@@ -9,7 +9,7 @@
 #include "paper/detector.hpp"
 #include "paper/pairs.hpp"
 #include "pair/narrow/near_pair.hpp"
-#include "query/pair_vertices.hpp"
+#include "search/query/pair_vertices.hpp"
 #include "support/as_new.hpp"
 #include "support/contact_sets.hpp"
 #include "support/kernels_here.hpp"

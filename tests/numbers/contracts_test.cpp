@@ -14,7 +14,7 @@
 #include "pair/narrow/first_within.hpp"
 #include "pair/narrow/kept_distance.hpp"
 #include "numbers/interval.hpp"
-#include "topology/countable.hpp"
+#include "search/topology/countable.hpp"
 
 namespace tamis::test {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "kernels/kernels.hpp"
+#include "search/kernels/kernels.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::test {

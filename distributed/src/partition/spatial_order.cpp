@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "bounds/box.hpp"
+#include "search/bounds/box.hpp"
 #include "distributed/src/partition/box_tree.hpp"
 
 namespace tamis::distributed {

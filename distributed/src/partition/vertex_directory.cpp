@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "bounds/fine_place.hpp"
+#include "search/bounds/fine_place.hpp"
 #include "distributed/src/agreement.hpp"
 
 namespace tamis::distributed {

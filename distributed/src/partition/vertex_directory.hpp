@@ -40,7 +40,7 @@ struct DirectoryAnswer {
   std::vector<Sharer> sharers;  ///< by rank, then number
 };
 
-/// A vertex of the sample of which the frame is made (bounds/fine_place.hpp).
+/// A vertex of the sample of which the frame is made (search/bounds/fine_place.hpp).
 struct SampledNumber {
   std::size_t place;  ///< in the sample
   Index number;

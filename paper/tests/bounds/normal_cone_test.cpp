@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "bounds/random_point.hpp"
+#include "search/bounds/random_point.hpp"
 
 namespace tamis::lab {
 namespace {

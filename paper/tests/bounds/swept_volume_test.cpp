@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "bounds/random_point.hpp"
+#include "search/bounds/random_point.hpp"
 #include "paper/bounds/oriented_box.hpp"
 #include "paper/bounds/sphere.hpp"
 

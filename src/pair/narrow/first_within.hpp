@@ -3,7 +3,7 @@
 // during which this axis proves the pair apart are known in closed form (pair/narrow/advancement.hpp). The next time in
 // question is the end of these: Newton's method on the distance, from the safe side (after conservative advancement,
 // Mirtich 1996; Zhang, Lee, Kim 2006, whose bound on the speed needs many more steps). Here a single pair is followed
-// to the end; lanes have decided most pairs before, by the same steps (kernels/advance_lanes.hpp).
+// to the end; lanes have decided most pairs before, by the same steps (search/kernels/advance_lanes.hpp).
 #pragma once
 #include "pair/motion/decision.hpp"
 #include "pair/motion/pair_motion.hpp"

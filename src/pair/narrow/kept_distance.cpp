@@ -67,7 +67,7 @@ double keeps_without_clearance_until(PairKind kind, const PairPoints& points, co
   return again.touches ? std::min(again.toi_lower, 1 - kRoundoff) : 1;
 }
 
-/// Proves what advancement may lose to rounding, and proves the same in lanes (kernels/step_length_kernels.hpp).
+/// Proves what advancement may lose to rounding, and proves the same in lanes (search/kernels/step_length_kernels.hpp).
 bool is_kept_to_end(PairKind kind, const PairMotion<double>& m, double fraction) {
   return with_kind(kind, [&](auto k) {
     if constexpr (can_cross(k())) {

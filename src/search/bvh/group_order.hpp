@@ -1,0 +1,29 @@
+// An order by groups: features of a group without self-contact, such as a rigid body, come one after the other in the
+// tree, so that blocks of one such group are never tested against each other.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "search/bvh/spatial_order.hpp"
+
+namespace tamis {
+
+/// A feature's sort key: its group, and one of its points (three coordinates).
+struct GroupedFeature {
+  Index group;
+  const float* at;
+};
+
+/// Features, one group after the other.
+struct GroupOrder {
+  std::vector<Index> features;
+  std::vector<std::size_t> ends;  ///< of the groups, ascending: places in `features`
+};
+
+/// Orders the groups with `no_self_contact` by their centers in space, so that neighbours share the block in which one
+/// ends and the next begins; all other features are one group. Empty where many groups overlap, and an order in space
+/// alone serves better. REQUIRES: `no_self_contact` of all groups.
+GroupOrder order_groups(std::span<const GroupedFeature> features, std::span<const std::uint8_t> no_self_contact,
+                        Split split);
+
+}  // namespace tamis

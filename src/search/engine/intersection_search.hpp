@@ -1,0 +1,56 @@
+// Which edges pass through triangles, or touch them, in one pose? A vertex that runs along the edge during a step
+// touches exactly the triangles that the edge meets, so this is decided as vertex-face contacts are.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "numbers/held_bytes.hpp"
+#include "search/query/bound.hpp"
+#include "search/engine/thread_streams.hpp"
+
+namespace tamis {
+
+/// What the threads share.
+struct IntersectionQuery {
+  const Query& query;
+  Bound bound = {};  ///< settled: nothing more is asked for
+};
+
+class IntersectionConsumer final : public PairStream {
+ public:
+  using Shared = IntersectionQuery;
+
+  using PairStream::PairStream;
+
+  void begin(IntersectionQuery& shared);
+  const std::vector<Intersection>& found() const { return found_; }
+
+  bool wants(PairKind) const override { return !shared_->bound.is_settled(); }
+  SearchKernel kernel(PairKind) const override { return thread().kernels.along_edges.search; }
+  void consume(PairKind kind) override;
+  std::uint64_t memory_bytes() const { return held_bytes(found_); }
+
+ private:
+  /// `pair`: its place in thread().filtered.
+  void add(int pair, const PairResult& result);
+  void decide_left(std::span<const int> pairs);
+
+  IntersectionQuery* shared_ = nullptr;
+  std::vector<Intersection> found_;
+};
+
+class IntersectionSearch {
+ public:
+  /// Keeps a reference.
+  explicit IntersectionSearch(Workspace& workspace) : workspace_(workspace), streams_(workspace) {}
+
+  /// As Engine::find_intersections.
+  void find(const Query& query, std::vector<Intersection>& found, Statistics& statistics);
+  std::uint64_t memory_bytes() const { return streams_.memory_bytes(); }
+
+ private:
+  Workspace& workspace_;
+  ThreadStreams<IntersectionConsumer> streams_;
+};
+
+}  // namespace tamis

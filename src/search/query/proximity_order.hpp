@@ -1,0 +1,24 @@
+// The documented order of pairs at rest.
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "numbers/counting_sort.hpp"
+#include "search/query/pair_vertices.hpp"
+
+namespace tamis {
+
+/// Sorts pairs of one kind by their vertices; keeps its scratch memory from call to call. Runs in the caller's oneTBB
+/// arena. Calls `pause` now and then, from several threads; an exception from `pause` ends the sort.
+class ProximityOrder {
+ public:
+  void sort(
+      std::vector<PairVertices>& pairs, Index vertex_count, const std::function<void()>& pause = [] {});
+  std::uint64_t memory_bytes() const { return held_bytes(counting_, sorted_); }
+
+ private:
+  CountingSort counting_;
+  std::vector<PairVertices> sorted_;
+};
+
+}  // namespace tamis

@@ -1,0 +1,66 @@
+// A query: the step and all that is asked about it. It goes down through the engine unchanged; answers come back in
+// collectors.
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "search/bounds/box_frame.hpp"
+#include "pair/motion/separations.hpp"
+#include "pair/narrow/kept_distance.hpp"
+#include "search/query/body_pairs.hpp"
+#include "tamis/options.hpp"
+#include "tamis/pair.hpp"
+#include "tamis/step.hpp"
+#include "search/topology/rings.hpp"
+
+namespace tamis {
+
+enum class Question : std::uint8_t {
+  all_contacts,
+  earliest,
+  is_free,  ///< also in a search for intersections: is there none?
+};
+
+/// Refers to positions, radii, filter, rings, function and frame, which must outlive it.
+struct Query {
+  Step step;  ///< for a question about one pose: from the pose to itself
+  Separations separations;
+  const PairFilter& filter;
+  const Rings& rings;
+  const std::function<bool()>& is_cancelled;
+  Question question = Question::all_contacts;
+  bool ignores_start = false;  ///< AtStart::ignore; `fail` is asked as `report`
+  /// Contacts and intersections have the bits of decide(), which depend on their pair alone; else the last digits of
+  /// crossings may also depend on what else is in the mesh. (With a separation lanes have these bits always.)
+  /// Intersections then also ask `filter.accepts`, of the edge's first vertex and the face.
+  bool depends_on_pair_alone = false;
+  /// The frame of the whole scene, if the mesh is a part of it; null: that of the mesh.
+  const BoxFrame* frame = nullptr;
+  /// The step is a piece of a path: the next one has other radii, so nothing is listed ahead.
+  bool is_piece = false;
+  /// With `earliest` the answers are the first contacts of these pairs of bodies; null: the first one of the mesh.
+  /// Other pairs of bodies are left out. REQUIRES: depends_on_pair_alone.
+  const BodyPairs* each_of = nullptr;
+  /// For find_step_ends alone, one a vertex: pairs all of whose vertices have 0 are known already, and may be left out
+  /// of the answer. Empty: no pair is known.
+  std::span<const std::uint8_t> changed = {};
+
+  /// How many first contacts are asked for.
+  std::size_t answers() const { return each_of ? each_of->count() : 1; }
+  /// Of which answer a pair may be the first contact; answers() if of none.
+  std::size_t answer_of(PairKind kind, const std::array<Index, 4>& vertices) const {
+    return each_of ? each_of->number_of(vertices[0], vertices[second_feature(kind)]) : 0;
+  }
+  /// The rule by which a pair is decided in questions that keep a fraction of distances.
+  DistanceRule distance_rule_for(PairKind kind, const std::array<Index, 4>& vertices, double fraction) const {
+    return {fraction, separations.between(kind, vertices), ignores_start};
+  }
+  /// Are the pair's features fewer edges apart than the caller wants? Takes a search along the mesh, so it is asked
+  /// last, of pairs that would be in the answer.
+  bool are_neighbours(PairKind kind, const std::array<Index, 4>& v) const {
+    const std::span<const Index> all(v.data(), vertex_count(kind));
+    return rings.are_neighbours(all.first(second_feature(kind)), all.subspan(second_feature(kind)));
+  }
+};
+
+}  // namespace tamis

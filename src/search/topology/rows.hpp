@@ -1,0 +1,24 @@
+// Builds rows of indices by counting.
+#pragma once
+#include <numeric>
+#include <vector>
+
+#include "search/topology/at.hpp"
+
+namespace tamis {
+
+/// `for_each(add)`, called twice, calls add(row, item) for each item; a row has its items in the order of these calls.
+/// REQUIRES (not checked: O(n)): rows in [0, count), fewer than 2^31 items.
+template <class ForEach>
+IndexRows rows_of(Index count, const ForEach& for_each) {
+  IndexRows rows;
+  rows.offsets.assign(at(count) + 1, 0);
+  for_each([&](Index row, Index) { ++rows.offsets[at(row) + 1]; });
+  std::partial_sum(rows.offsets.begin(), rows.offsets.end(), rows.offsets.begin());
+  rows.items.resize(at(rows.offsets.back()));
+  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
+  for_each([&](Index row, Index item) { rows.items[at(next[at(row)]++)] = item; });
+  return rows;
+}
+
+}  // namespace tamis

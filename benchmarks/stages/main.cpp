@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmarks/stages/workload.hpp"
-#include "curves/chain_motion.hpp"
+#include "curves/motions/chain_motion.hpp"
 #include "paper/filters/filters.hpp"
 #include "tamis/pair.hpp"
 

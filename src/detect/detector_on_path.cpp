@@ -3,8 +3,8 @@
 #include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
 #include "search/kernels/kernels.hpp"
-#include "paths/callers_path.hpp"
-#include "paths/path_search.hpp"
+#include "curves/paths/callers_path.hpp"
+#include "curves/paths/path_search.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {

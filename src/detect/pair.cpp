@@ -10,8 +10,8 @@
 #include "pair/narrow/decide.hpp"
 #include "numbers/finite.hpp"
 #include "numbers/floating_point_state.hpp"
-#include "paths/callers_path.hpp"
-#include "paths/carried_pair.hpp"
+#include "curves/paths/callers_path.hpp"
+#include "curves/paths/carried_pair.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "curves/chain_motion.hpp"
+#include "curves/motions/chain_motion.hpp"
 #include "numbers/held_bytes.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/world.hpp"

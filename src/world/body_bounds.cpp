@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "curves/curvature.hpp"
+#include "curves/motions/curvature.hpp"
 #include "numbers/assert.hpp"
 #include "search/topology/at.hpp"
 

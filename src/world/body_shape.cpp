@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "curves/rigid_transform.hpp"
+#include "curves/motions/rigid_transform.hpp"
 #include "detect/enum_names.hpp"
 #include "search/kernels/kernels.hpp"
 #include "numbers/finite.hpp"

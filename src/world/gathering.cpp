@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "curves/curvature.hpp"
+#include "curves/motions/curvature.hpp"
 #include "pair/motion/time_clip.hpp"
 #include "numbers/error_bounds.hpp"
 #include "numbers/held_bytes.hpp"
-#include "paths/mesh_pieces.hpp"
+#include "curves/paths/mesh_pieces.hpp"
 #include "search/query/cancellation.hpp"
 #include "search/topology/at.hpp"
 #include "world/world_state.hpp"

@@ -7,7 +7,7 @@
 #include "files/extent.hpp"
 #include "files/view/path_positions.hpp"
 #include "numbers/floating_point_state.hpp"
-#include "paths/callers_path.hpp"
+#include "curves/paths/callers_path.hpp"
 
 namespace tamis::io {
 namespace {

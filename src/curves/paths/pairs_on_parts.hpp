@@ -1,0 +1,73 @@
+// The pairs that may touch on a piece of a path are tested again on its halves, the earlier first, and on halves of
+// these: chords of shorter parts deviate less, and lanes test hundreds of pairs while one is decided on its curves.
+#pragma once
+#include <tbb/enumerable_thread_specific.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "search/kernels/kernels.hpp"
+#include "curves/paths/mesh_moment.hpp"
+#include "search/query/pair_vertices.hpp"
+#include "tamis/path.hpp"
+
+namespace tamis {
+
+class PairsOnParts {
+ public:
+  explicit PairsOnParts(const Kernels& kernels) : kernels_(kernels) {}
+
+  struct Piece {
+    const Path& path;
+    Separations separations;         ///< PathSearch::searched_
+    std::span<const Contact> pairs;  ///< those that chords of the whole piece do not prove free
+    const MeshMoment &from, &to;
+    const std::function<bool()>& is_cancelled;
+  };
+  /// Keeps the piece's references until the next call.
+  void begin(const Piece& piece);
+
+  /// Is a pair that is apart before this time still wanted? Once it is not, it is not for later times.
+  using Wants = std::function<bool(const Contact& pair, double from)>;
+  /// The places in Piece::pairs of the pairs to decide next, ascending: those that may touch in the earliest part that
+  /// has wanted pairs. Returns each pair once. Empty if no other pair is wanted. Throws InvalidPath and Cancelled.
+  std::vector<std::int32_t> next(const Wants& wants);
+
+ private:
+  struct Part {
+    std::vector<Index> vertices;  ///< of its pairs, ascending
+    MeshMoment from, to;          ///< of these vertices alone
+    std::vector<std::int32_t> pairs;
+    int halvings;
+  };
+  struct Scratch {
+    PairBuffer pairs;
+    WithinScratch within;
+    std::array<SolvedPair, PairBuffer::kCapacity> solved;
+  };
+
+  /// `from` and `to` are moments of `vertices`, which hold those of these pairs, and maybe others.
+  Part part_of(const std::vector<Index>& vertices, const MeshMoment& from, const MeshMoment& to,
+               std::vector<std::int32_t> pairs, int halvings);
+  void halve(const Part& part);
+  void add_half(const Part& whole, const MeshMoment& from, const MeshMoment& to);
+  /// Tests pairs of one kind in lanes, and marks in may_touch_ those that may touch in the half.
+  void test(PairKind kind, std::span<const std::int32_t> pairs);
+
+  const Kernels& kernels_;
+  std::optional<Piece> piece_;
+  std::vector<Part> parts_;  ///< the earliest last
+  std::size_t tests_left_ = 0;
+  std::vector<char> is_given_, may_touch_;  ///< of each pair of the piece
+  std::vector<Index> place_;                ///< of each vertex of the mesh among those of a part
+  std::vector<PackedVertex> vertices_;      ///< of a half; entries behind these are leftovers of other parts
+  /// Pointers, since TBB fills the memory of its elements with zeros.
+  tbb::enumerable_thread_specific<std::unique_ptr<Scratch>> scratch_{
+      [] { return std::make_unique_for_overwrite<Scratch>(); }};
+};
+
+}  // namespace tamis

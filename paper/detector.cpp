@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
-#include "detect/detector_access.hpp"
-#include "detect/enum_names.hpp"
+#include "api/detector_access.hpp"
+#include "api/enum_names.hpp"
 #include "paper/brute.hpp"
 #include "paper/pipeline/engine.hpp"
 

@@ -1,7 +1,7 @@
 // The paper's competitors by name: how each differs from the published pipeline.
 #include "paper/options.hpp"
 
-#include "detect/enum_names.hpp"
+#include "api/enum_names.hpp"
 #include "paper/filters/filters.hpp"
 
 namespace tamis::lab {

@@ -13,7 +13,7 @@ version=$("$clang" -dumpversion)
 tool=$(scripts/pinned.sh clang-tidy) || { echo "$tool"; exit 77; }
 folders='(src|c|audit|io|scenes|cli|lab|mpi)'
 changed_since() { { git diff --name-only "$1" -- && git ls-files --others --exclude-standard; } | sort -u; }
-# Joins names without extension to a pattern: src/detect/detector|tools/files/obj
+# Joins names without extension to a pattern: src/api/detector|tools/files/obj
 stems_of() { grep -E "^$folders/.*[.](cpp|hpp)$" | grep -v ^paper/tests/ | sed 's/[.][ch]pp$//' | sort -u | paste -sd'|'; }
 
 if [[ ${2:-} == --all ]]; then

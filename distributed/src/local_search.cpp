@@ -2,7 +2,7 @@
 
 #include <atomic>
 
-#include "detect/detector_access.hpp"
+#include "api/detector_access.hpp"
 
 namespace tamis::distributed {
 namespace {

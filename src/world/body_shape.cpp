@@ -3,7 +3,7 @@
 #include <string>
 
 #include "curves/motions/rigid_transform.hpp"
-#include "detect/enum_names.hpp"
+#include "api/enum_names.hpp"
 #include "search/kernels/kernels.hpp"
 #include "numbers/finite.hpp"
 #include "tamis/error.hpp"

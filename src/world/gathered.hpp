@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "detect/detector_state.hpp"
+#include "api/detector_state.hpp"
 #include "search/query/pair_vertices.hpp"
 #include "tamis/detector.hpp"
 #include "world/carried_bodies.hpp"

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "detect/arena.hpp"
-#include "detect/validate.hpp"
+#include "api/arena.hpp"
+#include "api/validate.hpp"
 #include "tamis/error.hpp"
 #include "world/world_state.hpp"
 

@@ -1,8 +1,8 @@
 // The questions of a world.
 #include <algorithm>
 
-#include "detect/detector_access.hpp"
-#include "detect/validate.hpp"
+#include "api/detector_access.hpp"
+#include "api/validate.hpp"
 #include "tamis/error.hpp"
 #include "world/answers.hpp"
 #include "world/world_state.hpp"

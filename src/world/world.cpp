@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "detect/validate.hpp"
+#include "api/validate.hpp"
 #include "numbers/floating_point_state.hpp"
 #include "numbers/number_text.hpp"
 #include "tamis/error.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "detect/pair_faults.hpp"
-#include "detect/validate.hpp"
+#include "api/pair_faults.hpp"
+#include "api/validate.hpp"
 #include "numbers/held_bytes.hpp"
 #include "search/query/stage_counts.hpp"
 #include "tamis/error.hpp"

@@ -5,8 +5,8 @@
 
 #include "search/bounds/shared_motion.hpp"
 #include "search/coherence/pair_lists.hpp"
-#include "detect/list_part.hpp"
-#include "detect/planar_times.hpp"
+#include "api/list_part.hpp"
+#include "api/planar_times.hpp"
 #include "search/query/contact_collector.hpp"
 #include "search/engine/feature_trees.hpp"
 #include "search/engine/pair_buffer.hpp"

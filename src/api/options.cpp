@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "detect/enum_names.hpp"
+#include "api/enum_names.hpp"
 #include "tamis/error.hpp"
 #include "tamis/stored.hpp"
 

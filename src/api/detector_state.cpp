@@ -1,12 +1,12 @@
-#include "detect/detector_state.hpp"
+#include "api/detector_state.hpp"
 
 #include <algorithm>
 
-#include "detect/enum_names.hpp"
-#include "detect/pair_faults.hpp"
-#include "detect/stored.hpp"
-#include "detect/truncation.hpp"
-#include "detect/validate.hpp"
+#include "api/enum_names.hpp"
+#include "api/pair_faults.hpp"
+#include "api/stored.hpp"
+#include "api/truncation.hpp"
+#include "api/validate.hpp"
 #include "pair/narrow/near_pair.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/held_bytes.hpp"

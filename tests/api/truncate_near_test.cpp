@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "detect/truncated.hpp"
+#include "api/truncated.hpp"
 #include "support/contact_sets.hpp"
 #include "tamis/detector.hpp"
 

@@ -1,4 +1,4 @@
-#include "detect/contact_order.hpp"
+#include "api/contact_order.hpp"
 
 #include <algorithm>
 #include <tuple>

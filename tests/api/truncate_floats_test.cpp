@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "detect/truncated.hpp"
+#include "api/truncated.hpp"
 #include "scenes/scene_list.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"

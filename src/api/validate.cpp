@@ -1,12 +1,12 @@
-#include "detect/validate.hpp"
+#include "api/validate.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
 
-#include "detect/enum_names.hpp"
-#include "detect/stored.hpp"
+#include "api/enum_names.hpp"
+#include "api/stored.hpp"
 #include "numbers/finite.hpp"
 #include "numbers/in_parts.hpp"
 #include "numbers/number_text.hpp"

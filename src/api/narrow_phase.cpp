@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "detect/arena.hpp"
-#include "detect/list_part.hpp"
-#include "detect/pair_faults.hpp"
-#include "detect/validate.hpp"
+#include "api/arena.hpp"
+#include "api/list_part.hpp"
+#include "api/pair_faults.hpp"
+#include "api/validate.hpp"
 #include "numbers/finite.hpp"
 #include "numbers/floating_point_state.hpp"
 #include "search/query/cancellation.hpp"

@@ -1,14 +1,14 @@
 // Truncates a step vertex by vertex. All vertices go together until a common time, up to which every pair keeps a
 // little more of its distance than it must; from there each goes on alone. The engine then finds the pairs that do not
 // keep their distance on the straight motion to the new positions, and planes between the features of each
-// (detect/planar_times.hpp) stop its vertices, round by round until no such pair is left. If the rounds do not end,
+// (api/planar_times.hpp) stop its vertices, round by round until no such pair is left. If the rounds do not end,
 // each vertex goes alone from the start, with planes between all pairs that could meet. All positions asked about are
 // numbers that the caller can store.
 #pragma once
 #include <atomic>
 #include <vector>
 
-#include "detect/planar_times.hpp"
+#include "api/planar_times.hpp"
 #include "search/query/engine.hpp"
 #include "tamis/mesh.hpp"
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "detect/pair_faults.hpp"
-#include "detect/validate.hpp"
+#include "api/pair_faults.hpp"
+#include "api/validate.hpp"
 #include "pair/narrow/decide.hpp"
 #include "numbers/finite.hpp"
 #include "numbers/floating_point_state.hpp"

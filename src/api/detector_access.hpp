@@ -23,7 +23,7 @@ class DetectorAccess {
  public:
   /// Calls `make_engine` once, with the mesh and validated options. Throws InvalidOptions.
   static Detector make(Mesh mesh, Options options, const MakeEngine& make_engine);
-  /// Locks the state for one question that is asked of the state itself (detect/detector_state.hpp). Throws Busy.
+  /// Locks the state for one question that is asked of the state itself (api/detector_state.hpp). Throws Busy.
   static Detector::LockedState lock(const Detector& detector);
   /// For a mesh that is a part of a larger scene: gives the next questions about a step that scene's frame. Throws
   /// Busy. REQUIRES (not checked: O(n)): it was made of that step, and of vertices among which those of the mesh are.

@@ -1,11 +1,11 @@
 // How far may each vertex of a pair go by itself? Planes between the two features, placed at one time, stop each vertex
-// before it leaves its feature's side. Computed in doubles without proof: detect/truncation.hpp proves the resulting
+// before it leaves its feature's side. Computed in doubles without proof: api/truncation.hpp proves the resulting
 // step.
 #pragma once
 #include <algorithm>
 #include <array>
 
-#include "detect/stored.hpp"
+#include "api/stored.hpp"
 #include "pair/motion/make_motion.hpp"
 #include "numbers/assert.hpp"
 #include "tamis/proximity.hpp"

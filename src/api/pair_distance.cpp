@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "detect/pair_faults.hpp"
-#include "detect/validate.hpp"
+#include "api/pair_faults.hpp"
+#include "api/validate.hpp"
 #include "pair/motion/time_clip.hpp"
 #include "pair/narrow/decide.hpp"
 #include "pair/narrow/kept_distance.hpp"

@@ -1,4 +1,4 @@
-#include "detect/truncation.hpp"
+#include "api/truncation.hpp"
 
 #include <algorithm>
 

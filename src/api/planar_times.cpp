@@ -1,4 +1,4 @@
-#include "detect/planar_times.hpp"
+#include "api/planar_times.hpp"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
-#include "detect/list_part.hpp"
+#include "api/list_part.hpp"
 
 #include <algorithm>
 #include <memory>
 
-#include "detect/pair_faults.hpp"
+#include "api/pair_faults.hpp"
 #include "pair/narrow/decide.hpp"
 #include "numbers/assert.hpp"
 #include "search/query/cancellation.hpp"

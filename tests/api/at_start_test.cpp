@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "detect/at_start_options.hpp"
+#include "api/at_start_options.hpp"
 #include "pair/exact/exact.hpp"
 #include "paper/detector.hpp"
 #include "paper/pairs.hpp"

@@ -1,4 +1,4 @@
-#include "detect/truncated.hpp"
+#include "api/truncated.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // A detector's questions about paths.
-#include "detect/detector_state.hpp"
-#include "detect/pair_faults.hpp"
-#include "detect/validate.hpp"
+#include "api/detector_state.hpp"
+#include "api/pair_faults.hpp"
+#include "api/validate.hpp"
 #include "search/kernels/kernels.hpp"
 #include "curves/paths/callers_path.hpp"
 #include "curves/paths/path_search.hpp"

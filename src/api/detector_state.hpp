@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "search/bounds/box_frame.hpp"
-#include "detect/arena.hpp"
-#include "detect/contact_order.hpp"
-#include "detect/detector_access.hpp"
+#include "api/arena.hpp"
+#include "api/contact_order.hpp"
+#include "api/detector_access.hpp"
 #include "numbers/floating_point_state.hpp"
 #include "search/query/engine.hpp"
 #include "search/query/stopwatch.hpp"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "detect/truncated.hpp"
+#include "api/truncated.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 

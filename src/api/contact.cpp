@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "detect/pair_faults.hpp"
+#include "api/pair_faults.hpp"
 #include "numbers/floating_point_state.hpp"
 #include "tamis/error.hpp"
 

@@ -1,4 +1,4 @@
-#include "detect/pair_faults.hpp"
+#include "api/pair_faults.hpp"
 
 #include "pair/motion/pair_kinds.hpp"
 #include "numbers/finite.hpp"

@@ -1,6 +1,6 @@
 #include "tamis/detector.hpp"
 
-#include "detect/detector_state.hpp"
+#include "api/detector_state.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {

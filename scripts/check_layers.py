@@ -9,7 +9,7 @@ import sys
 # A layer may include itself and layers with a smaller number. The lists elsewhere are in ascending order.
 LAYER = {"numbers": 0, "pair/motion": 1, "search/bounds": 2, "search/topology": 3, "search/bvh": 3, "pair/filters": 3, "pair/distance": 4, "curves/motions": 4,
          "pair/exact": 5, "pair/narrow": 6, "search/kernels": 7, "search/query": 8, "search/coherence": 9, "search/engine": 10,
-         "curves/paths": 11, "api": 12, "world": 13}
+         "curves/paths": 11, "api": 12, "worlds": 13}
 # Folders outside the library, and what each may include besides itself and the public headers.
 OUTSIDE = {"include/tamis": [], "bindings/c": [], "bindings/python/src": ["python", "audit", "files", "scenes", "numerics"],
            # Ranks find a frame together, and give it to their detectors.

@@ -1,0 +1,153 @@
+#include "worlds/body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "numbers/axes.hpp"
+#include "numbers/error_bounds.hpp"
+#include "search/topology/at.hpp"
+#include "search/topology/points.hpp"
+#include "worlds/body_bounds.hpp"
+
+namespace tamis {
+namespace {
+
+/// |a - b|, rounded up; infinite if it is not a number.
+double distance_above(const Point& a, const Point& b) {
+  const double square = dot(difference(a, b), difference(a, b));
+  if (std::isnan(square)) return std::numeric_limits<double>::infinity();
+  return std::sqrt(square) * kRoundedUp + 0x1p-500;  // squares may underflow
+}
+
+/// An upper bound of the distance between a and b over the box: the difference of two affine maps is largest at a
+/// corner.
+double farthest_between(const RoundedTransform& a, const RoundedTransform& b, const Box& box) {
+  double farthest = 0;
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    Point x{};
+    for (std::size_t k = 0; k < 3; ++k) x[k] = corner >> k & 1 ? box.high[k] : box.low[k];
+    farthest = std::max(farthest, distance_above(a.of(x), b.of(x)));
+  }
+  const double size = box.largest_sum();
+  return (farthest + 2 * (a.error_of(size, 0) + b.error_of(size, 0)) * kRootOfThree) * kRoundedUp;
+}
+
+bool stays(const Link& link) {
+  return link.start.position == link.end.position && link.start.rotation == link.end.rotation;
+}
+
+}  // namespace
+
+double Body::max_deviation_from(const BodyMotion& other) const {
+  if (motion_kind_ == MotionKind::turning || motion_.index() != other.index())
+    return std::numeric_limits<double>::infinity();
+  const auto* soft = std::get_if<Deforming>(&other);
+  if (!soft) {
+    const Box& box = shape_->boxes.back();
+    const Chain chain = chain_of(other);
+    return std::max(farthest_between(transform_at(chain, 0), at_start_, box),
+                    farthest_between(transform_at(chain, 1), at_end_, box));
+  }
+  double farthest = 0;
+  for (const Index v : shape_->mesh.points())
+    farthest = std::max({farthest, distance_above(soft->start[at(v)], deforming()->start[at(v)]),
+                         distance_above(soft->end[at(v)], deforming()->end[at(v)])});
+  return farthest;
+}
+
+Body::Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion)
+    : id_(id), shape_(std::move(shape)), motion_(std::move(motion)) {
+  validate(motion_);
+  if (const Deforming* soft = deforming()) {
+    const auto boxes_at = [&](const std::vector<Point>& points) {
+      const auto at_point = [&](Index v) -> const Point& { return points[at(v)]; };
+      return shape_->tree.boxes([&](Index item) { return shape_->box_of(item, at_point); });
+    };
+    start_boxes_ = boxes_at(soft->start);
+    end_boxes_ = boxes_at(soft->end);
+    motion_kind_ = MotionKind::straight;
+  } else {
+    const Chain chain = chain_of(motion_);
+    const ChainBounds bounds(chain);
+    curvature_ = bounds.of(shape_->radius, 0);
+    motion_kind_ = std::holds_alternative<Static>(motion_) ? MotionKind::still
+                   : bounds.turns()                        ? MotionKind::turning
+                                                           : MotionKind::straight;
+    at_start_ = transform_at(chain, 0);
+    at_end_ = std::ranges::all_of(chain, stays) ? at_start_ : transform_at(chain, 1);
+  }
+  const Index root = shape_->tree.root();
+  start_hull_ = BodyOnPiece(*this, 0, 0).bounds(root).hull();
+  hull_ = motion_kind_ == MotionKind::still ? start_hull_ : BodyOnPiece(*this, 0, 1).bounds(root).hull();
+}
+
+Body::Body(const Body& other) : Body(other.id_, other.shape_, other.motion_) {
+  set_radius(other.radius_);
+  is_enabled = other.is_enabled;
+  may_touch_itself = other.may_touch_itself;
+}
+
+Body::Body(const Body& other, std::size_t links) : Body(other.id_, other.shape_, Rigid{without(other.chain(), links)}) {
+  motion_kind_ = MotionKind::turning;
+  set_radius(other.radius_);
+}
+
+Body Body::moved(BodyMotion motion) const {
+  Body moved(id_, shape_, std::move(motion));
+  moved.radius_ = radius_;
+  moved.is_enabled = is_enabled;
+  moved.may_touch_itself = may_touch_itself;
+  return moved;
+}
+
+void Body::become(Body moved) noexcept {
+  static_assert(std::is_nothrow_move_assignable_v<BodyMotion> && std::is_nothrow_move_assignable_v<Detector>);
+  if (deforming() && moved.deforming()) moved.self_detector_ = std::move(self_detector_);
+  *this = std::move(moved);
+}
+
+void Body::set_radius(double radius) {
+  radius_ = radius;
+  self_detector_.reset();
+}
+
+Detector& Body::self_detector(const Options& options) {
+  if (!self_detector_) {
+    Options own = options;
+    own.radii = {radius_};
+    self_detector_.emplace(shape_->mesh, std::move(own));
+  }
+  return *self_detector_;
+}
+
+Point Body::start_of(Index vertex) const {
+  return deforming() ? deforming()->start[at(vertex)] : at_start_.of(shape_->points[at(vertex)]);
+}
+
+Point Body::end_of(Index vertex) const {
+  return deforming() ? deforming()->end[at(vertex)] : at_end_.of(shape_->points[at(vertex)]);
+}
+
+/// Vertices of a body that turns are on their curves; all others move straight from double to double, as in a step.
+BodyPoints Body::points_at(double time) const {
+  const bool turns = motion_kind_ == MotionKind::turning;
+  const RoundedTransform place = turns ? place_at(time) : RoundedTransform{};
+  const auto place_of = [&](Index v) -> RoundedPlace {
+    if (!turns) return rounded_linear(start_of(v), end_of(v), time);
+    const Point& x = shape_->points[at(v)];
+    return {place.of(x), place.error_of(sum_of_sizes(x), 0)};
+  };
+  BodyPoints found;
+  for (Index v = 0; v < shape_->mesh.vertex_count(); ++v) found.points.push_back(place_of(v).x);
+  for (const Index v : shape_->mesh.points()) found.error = std::max(found.error, place_of(v).error);
+  return found;
+}
+
+std::uint64_t Body::memory_bytes() const {
+  const std::uint64_t bytes = sizeof(*this) + held_bytes(start_boxes_, end_boxes_) + bytes_held_by(motion_);
+  return self_detector_ ? bytes + self_detector_->statistics().memory_bytes : bytes;
+}
+
+}  // namespace tamis

@@ -1,0 +1,88 @@
+// The boxes of a body's hierarchy in the frame of the world, during a piece of the step.
+#pragma once
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "search/bounds/box.hpp"
+#include "worlds/body.hpp"
+
+namespace tamis {
+
+/// Bounds that move linearly, in the frame of the world. Each box is widened by kRounding of its coordinates, which
+/// covers the rounding of may_meet().
+struct MovingBounds {
+  Box start, end;
+
+  static constexpr double kRounding = 0x1p-44;
+
+  Box hull() const {
+    Box hull = start;
+    hull.include(end);
+    return hull;
+  }
+};
+
+/// May the bounds come within `separation` at some time? False only if proven: at every time there is a gap along some
+/// axis. NaN proves nothing.
+inline bool may_meet(const MovingBounds& a, const MovingBounds& b, double separation) {
+  constexpr double kRoundingOfTimes = 0x1p-40;
+  double from = 0, to = 1;
+  const auto close = [&](double gap0, double gap1) {
+    if (!(gap0 > 0 || gap1 > 0)) return true;
+    if (gap0 > 0 && gap1 > 0) return false;
+    // If a difference overflows, these times are 0 and 1, which prove nothing.
+    if (gap0 > 0) from = std::max(from, gap0 / (gap0 - gap1));
+    if (gap1 > 0) to = std::min(to, 1 - gap1 / (gap1 - gap0));
+    return true;
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!close(a.start.low[k] - b.start.high[k] - separation, a.end.low[k] - b.end.high[k] - separation)) return false;
+    if (!close(b.start.low[k] - a.start.high[k] - separation, b.end.low[k] - a.end.high[k] - separation)) return false;
+  }
+  return !(from > to + kRoundingOfTimes);
+}
+
+/// The bounds of one leaf's items.
+struct ItemBounds {
+  MovingBounds all;
+  std::array<MovingBounds, kBlock> of_item;  ///< in the order of the tree
+};
+
+/// A body during one piece of the step.
+class BodyOnPiece {
+ public:
+  /// Keeps a reference to the body. REQUIRES: 0 <= from <= to <= 1.
+  BodyOnPiece(const Body& body, double from, double to);
+
+  const BodyShape& shape() const { return body_.shape(); }
+  MovingBounds bounds(Index node) const;
+  /// The items of a leaf, bounded by their vertices: tighter than the leaf's box.
+  ItemBounds items(Index leaf) const;
+
+ private:
+  MovingBounds cut(const Box& at_start, const Box& at_end) const;
+
+  const Body& body_;
+  const double from_, to_;
+  double deviation_ = 0;              ///< a bound of the distance of its vertices from their chords
+  RoundedTransform at_from_, at_to_;  ///< of a body that does not turn, at t=0 and t=1
+};
+
+/// Caches a body's bounds on a piece. Each is computed when it is first asked for; references to them stay valid.
+class BoundsOnPiece {
+ public:
+  BoundsOnPiece(const Body& body, double from, double to);
+
+  const BodyShape& shape() const { return body_.shape(); }
+  const MovingBounds& bounds(Index node);
+  const ItemBounds& items(Index leaf);
+
+ private:
+  const BodyOnPiece body_;
+  std::vector<const MovingBounds*> bounds_;               ///< of each node; null until asked for
+  std::vector<std::unique_ptr<const ItemBounds>> items_;  ///< of each leaf
+  std::deque<MovingBounds> made_;                         ///< which bounds_ point to
+};
+
+}  // namespace tamis

@@ -1,0 +1,42 @@
+#include "worlds/body_shape.hpp"
+
+#include <string>
+
+#include "curves/motions/rigid_transform.hpp"
+#include "api/enum_names.hpp"
+#include "search/kernels/kernels.hpp"
+#include "numbers/finite.hpp"
+#include "tamis/error.hpp"
+#include "search/topology/at.hpp"
+#include "search/topology/mean_edge.hpp"
+
+namespace tamis {
+
+BodyShape::BodyShape(Mesh m, std::vector<Point> at_rest, Isa isa)
+    : mesh(std::move(m)), points(std::move(at_rest)), loose(mesh) {
+  if (points.size() != at(mesh.vertex_count()))
+    throw InvalidMesh("the shape has " + std::to_string(points.size()) + " points, its mesh " +
+                      std::to_string(mesh.vertex_count()) + " vertices: give one point a vertex");
+  for (const Index v : mesh.points()) {
+    if (!is_finite(points[at(v)]))
+      throw InvalidMesh("vertex " + std::to_string(v) + " of the shape is not finite: give finite points");
+    radius = std::max(radius, farthest(points[at(v)], points[at(v)]));
+  }
+  validate_is_named(isa, "instruction set");
+  edge = mean_edge(mesh, points);
+  std::vector<Point> centers(at(item_count()));
+  for (Index item = 0; item < item_count(); ++item) centers[at(item)] = box_at_rest(item).middle();
+  tree = BoxTree(centers, kernels(isa).trees.split);
+  boxes = tree.boxes([this](Index item) { return box_at_rest(item); });
+}
+
+Face BodyShape::corners_of(Index item) const {
+  auto i = at(item);
+  if (i < mesh.faces().size()) return mesh.faces()[i];
+  i -= mesh.faces().size();
+  if (i < loose.edges.size()) return {loose.edges[i][0], loose.edges[i][1], loose.edges[i][1]};
+  const Index point = loose.points[i - loose.edges.size()];
+  return {point, point, point};
+}
+
+}  // namespace tamis

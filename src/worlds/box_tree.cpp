@@ -1,0 +1,33 @@
+#include "worlds/box_tree.hpp"
+
+namespace tamis {
+
+BoxTree::BoxTree(std::span<const Point> centers, Split split) : items_(centers.size()) {
+  Box all;
+  for (const Point& center : centers) all.include(center);
+  // Scaled to [0,1], so that centers fit floats whatever the unit of length. Centers beyond that (overflow) become 0,
+  // which only makes the order poor.
+  double extent = 0;
+  for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, all.high[k] - all.low[k]);
+  const double scale = extent > 0 ? 1 / extent : 0;
+  CenterStore store(centers.size(), 3);
+  const Centers view = store.view();
+  for (std::size_t i = 0; i < centers.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double at = (centers[i][k] - all.low[k]) * scale;
+      view.at[k][i] = at >= 0 && at <= 1 ? static_cast<float>(at) : 0;
+    }
+    view.feature[i] = static_cast<Index>(i);
+  }
+  order_in_space(view, centers.size(), split, [] {});
+  std::ranges::copy(store.features(), items_.begin());
+  Index first = 0, end = leaf_count();  // nodes of one level
+  while (end - first > 1) {
+    const Index below = first;
+    first = end;
+    for (Index child = below; child < first; child += kBlock, ++end) first_child_.push_back(child);
+  }
+  first_child_.push_back(first);
+}
+
+}  // namespace tamis

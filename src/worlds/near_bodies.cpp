@@ -1,0 +1,51 @@
+#include "worlds/near_bodies.hpp"
+
+#include <algorithm>
+
+#include "search/query/cancellation.hpp"
+#include "worlds/world_state.hpp"
+
+namespace tamis {
+
+double NearDistance::share_of(const Body& body) const {
+  const bool counts = displacement_factor > 0 && body.motion_kind() != MotionKind::still;
+  return body.radius() + (counts ? displacement_factor * body.hull().extent() : 0);
+}
+
+BodyTree::BodyTree(const BodyList& bodies, bool are_still, const NearDistance& distance, Split split) {
+  std::vector<Point> centers;
+  centers.reserve(bodies.size());
+  bodies_.reserve(bodies.size());
+  hulls_.reserve(bodies.size());
+  for (std::size_t id = 0; id < bodies.size(); ++id) {
+    const Body* body = bodies[id].get();
+    if (!body || !body->is_enabled || (body->motion_kind() == MotionKind::still) != are_still) continue;
+    bodies_.push_back(static_cast<BodyId>(id));
+    Box& hull = hulls_.emplace_back(distance.is_at_start ? body->start_hull() : body->hull());
+    hull.widen(distance.share_of(*body) * kRoundedUp);
+    centers.push_back(hull.middle());
+  }
+  tree_ = BoxTree(centers, split);
+  boxes_ = tree_.boxes([this](Index i) -> const Box& { return hulls_[at(i)]; });
+}
+
+std::vector<BodyPair> World::State::near_bodies(const NearDistance& distance) {
+  stop_if_cancelled(options);
+  if (!still_) still_.emplace(bodies, true, distance, split_);
+  const BodyTree moving(bodies, false, distance, split_);
+  std::vector<BodyPair> pairs;
+  for (std::size_t i = 0; i < moving.bodies().size(); ++i) {
+    const BodyId body = moving.bodies()[i];
+    Box box = moving.hull(i);
+    box.widen((distance.separation + distance.margin) * kRoundedUp);
+    moving.for_each_near(box, [&](BodyId other) {
+      if (body < other) pairs.push_back({body, other});
+    });
+    still_->for_each_near(box, [&](BodyId other) { pairs.push_back({std::min(body, other), std::max(body, other)}); });
+  }
+  std::erase_if(pairs, [&](const BodyPair& pair) { return excluded_pairs.contains(pair); });
+  std::ranges::sort(pairs);
+  return pairs;
+}
+
+}  // namespace tamis

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "paper/pairs.hpp"
 #include "pair/narrow/decide.hpp"
 #include "pair/narrow/near_pair.hpp"
+#include "paper/pairs.hpp"
 #include "search/query/cancellation.hpp"
 #include "search/query/pair_groups.hpp"
 #include "search/query/pair_vertices.hpp"

@@ -11,12 +11,12 @@ LAYER = {"numbers": 0, "pair/motion": 1, "search/bounds": 2, "search/topology": 
          "pair/exact": 5, "pair/narrow": 6, "search/kernels": 7, "search/query": 8, "search/coherence": 9, "search/engine": 10,
          "curves/paths": 11, "api": 12, "worlds": 13}
 # Folders outside the library, and what each may include besides itself and the public headers.
-OUTSIDE = {"include/tamis": [], "bindings/c": [], "bindings/python/src": ["python", "audit", "files", "scenes", "numerics"],
+OUTSIDE = {"include/tamis": [], "bindings/c": [], "bindings/python/src": ["python", "audit", "files", "scenes", "numbers"],
            # Ranks find a frame together, and give it to their detectors.
-           "distributed/include": [], "distributed/src": ["distributed", "search/bounds", "api", "numerics"], "distributed/command": ["distributed", "files", "command"],
+           "distributed/include": [], "distributed/src": ["distributed", "search/bounds", "api", "numbers"], "distributed/command": ["distributed", "files", "command"],
            "tools/audit": [],
            # Files set the floating-point state as the library does.
-           "tools/files": ["audit", "numerics", "paths"], "tools/scenes": ["files"], "tools/command": ["audit", "files", "scenes"], "integrations": ["c", "files"],
+           "tools/files": ["audit", "numbers", "curves/paths"], "tools/scenes": ["files"], "tools/command": ["audit", "files", "scenes"], "integrations": ["c", "files"],
            "benchmarks/contenders": ["files", "scenes", "oracle", "benchmarks", "paper"], "benchmarks/distributed": ["benchmarks"],
            "benchmarks/stages": ["scenes", "files", "benchmarks", "paper", *LAYER],
            "benchmarks/exact": ["scenes", "files", "benchmarks", "oracle", "support", *LAYER],

@@ -24,7 +24,7 @@ IN_RUST = {
 
 # Numbers that are written in C or C++ and again in Rust.
 ANSWERS, STATUS, CLAMP = "include/tamis/c/answers.h", "include/tamis/c/status.h", "integrations/clamp.hpp"
-OF_WORLD, OF_CLAMP, OF_MESH = "tamis/src/world.rs", "tamis/src/clamp.rs", "tamis-rapier/src/mesh.rs"
+OF_WORLD, OF_CLAMP, OF_MESH = "bindings/rust/src/world.rs", "bindings/rust/src/clamp.rs", "integrations/rapier/tamis-rapier/src/mesh.rs"
 NUMBERS = [
     (ANSWERS, "TAMIS_REPORT = ", OF_WORLD, "Report = "),
     (ANSWERS, "TAMIS_IGNORE = ", OF_WORLD, "Ignore = "),

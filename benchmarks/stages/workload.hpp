@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "pair/motion/make_motion.hpp"
 #include "search/bounds/packed_motion.hpp"
 #include "search/bvh/block_tree.hpp"
 #include "search/kernels/kernels.hpp"
-#include "pair/motion/make_motion.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::bench {

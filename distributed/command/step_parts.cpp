@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "command/step_files.hpp"
-#include "files/scale_step.hpp"
 #include "distributed/command/ply_part.hpp"
 #include "distributed/src/agreement.hpp"
+#include "files/scale_step.hpp"
 
 namespace tamis::distributed {
 namespace {

@@ -5,10 +5,10 @@
 #include "command/command_line/printable.hpp"
 #include "command/output_file.hpp"
 #include "command/start_check.hpp"
-#include "files/output/contacts_csv.hpp"
 #include "distributed/command/ranks_verb.hpp"
 #include "distributed/command/verbs.hpp"
 #include "distributed/src/agreement.hpp"
+#include "files/output/contacts_csv.hpp"
 
 namespace tamis::distributed {
 namespace {

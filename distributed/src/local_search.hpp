@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "search/bounds/box_frame.hpp"
 #include "distributed/src/partition/element_set.hpp"
+#include "search/bounds/box_frame.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::distributed {

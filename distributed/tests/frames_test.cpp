@@ -1,10 +1,10 @@
 // Recorded frames, cut in ways that are kind and unkind.
 #include <gtest/gtest.h>
 
-#include "files/mesh/mesh_file.hpp"
 #include "distributed/tests/same_answers.hpp"
-#include "support/test_data.hpp"
+#include "files/mesh/mesh_file.hpp"
 #include "search/topology/mean_edge.hpp"
+#include "support/test_data.hpp"
 
 namespace tamis::test {
 namespace {

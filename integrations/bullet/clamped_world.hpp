@@ -14,8 +14,9 @@ namespace tamis::bullet {
 /// Use it in place of btDiscreteDynamicsWorld; all else stays as it is. Rigid bodies of any kind and fixed collision
 /// objects take part, each with the mesh of its shape (`mesh_of`).
 ///
-/// Bodies are held back (integrations/clamp.hpp) in integrateTransforms, the last part of Bullet's step, which decides how
-/// each body moves. The tick callback comes too late: bodies have moved by then, and islands may have gone to sleep.
+/// Bodies are held back (integrations/clamp.hpp) in integrateTransforms, the last part of Bullet's step, which decides
+/// how each body moves. The tick callback comes too late: bodies have moved by then, and islands may have gone to
+/// sleep.
 ///
 /// Bullet's own narrow phase does not see every contact of meshes, and sees those of boxes only once they overlap;
 /// bodies would be held back for ever and gather speed. So two kinds of predictive contacts are added, at which the

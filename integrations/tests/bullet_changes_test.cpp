@@ -8,8 +8,8 @@
 #include <new>
 
 #include "integrations/bullet/mesh_of_shape.hpp"
-#include "tamis/error.hpp"
 #include "integrations/tests/bullet_simulation.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::bullet {
 namespace {

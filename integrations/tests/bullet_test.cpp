@@ -10,8 +10,8 @@
 
 #include "integrations/bullet/mesh_of_shape.hpp"
 #include "integrations/bullet/throws/arena.hpp"
-#include "tamis/error.hpp"
 #include "integrations/tests/bullet_simulation.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::bullet {
 namespace {

@@ -4,10 +4,10 @@
 #include <array>
 #include <limits>
 
-#include "paper/bounds/moving_points.hpp"
-#include "pair/motion/pair_motion.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/axes.hpp"
+#include "pair/motion/pair_motion.hpp"
+#include "paper/bounds/moving_points.hpp"
 
 namespace tamis::lab {
 

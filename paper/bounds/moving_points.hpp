@@ -2,10 +2,10 @@
 #pragma once
 #include <vector>
 
-#include "pair/motion/pair_kinds.hpp"
-#include "pair/motion/pair_motion.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/scale.hpp"
+#include "pair/motion/pair_kinds.hpp"
+#include "pair/motion/pair_motion.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "paper/bounds/principal_axes.hpp"
 #include "numbers/assert.hpp"
+#include "paper/bounds/principal_axes.hpp"
 
 namespace tamis::lab {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <xsimd/xsimd.hpp>
 
-#include "pair/filters/filter.hpp"
 #include "numbers/axes.hpp"
+#include "pair/filters/filter.hpp"
 
 namespace tamis::lab::subspaces {
 

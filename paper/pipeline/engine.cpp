@@ -11,12 +11,12 @@
 #include <algorithm>
 #include <tuple>
 
+#include "numbers/floating_point_state.hpp"
 #include "paper/pipeline/hierarchy.hpp"
 #include "paper/pipeline/patch_culling.hpp"
 #include "paper/pipeline/tester.hpp"
 #include "paper/topology/orphan_sets.hpp"
 #include "paper/topology/surface.hpp"
-#include "numbers/floating_point_state.hpp"
 #include "search/query/engine.hpp"
 #include "search/query/stage_counts.hpp"
 #include "search/query/stopwatch.hpp"

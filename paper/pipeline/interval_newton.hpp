@@ -3,11 +3,11 @@
 // Each interval of time is proven to hold no contact, or to hold a root at which the features touch; a pair with an
 // interval that is neither is unsure, and left to pair/narrow/decide.hpp.
 #pragma once
+#include "numbers/assert.hpp"
+#include "numbers/interval.hpp"
 #include "pair/filters/ncf.hpp"
 #include "pair/motion/decision.hpp"
 #include "pair/narrow/crossing.hpp"
-#include "numbers/assert.hpp"
-#include "numbers/interval.hpp"
 
 namespace tamis::lab {
 

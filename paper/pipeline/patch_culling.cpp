@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include "paper/bvh/refit.hpp"
 #include "numbers/assert.hpp"
+#include "paper/bvh/refit.hpp"
 #include "search/topology/at.hpp"
 
 namespace tamis::lab {

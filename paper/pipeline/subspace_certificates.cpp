@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "paper/topology/representatives.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/interval.hpp"
 #include "numbers/vec.hpp"
+#include "paper/topology/representatives.hpp"
 #include "search/topology/at.hpp"
 
 namespace tamis::lab {

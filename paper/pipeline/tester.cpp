@@ -2,10 +2,10 @@
 
 #include <numeric>
 
-#include "paper/pairs.hpp"
-#include "paper/pipeline/interval_newton.hpp"
 #include "pair/narrow/decide.hpp"
 #include "pair/narrow/sharp_bracket.hpp"
+#include "paper/pairs.hpp"
+#include "paper/pipeline/interval_newton.hpp"
 #include "search/query/cancellation.hpp"
 #include "search/query/stage_counts.hpp"
 #include "search/query/stopwatch.hpp"

@@ -2,9 +2,9 @@
 #include "api/detector_state.hpp"
 #include "api/pair_faults.hpp"
 #include "api/validate.hpp"
-#include "search/kernels/kernels.hpp"
 #include "curves/paths/callers_path.hpp"
 #include "curves/paths/path_search.hpp"
+#include "search/kernels/kernels.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {

@@ -4,16 +4,16 @@
 #include <optional>
 #include <vector>
 
-#include "search/bounds/box_frame.hpp"
 #include "api/arena.hpp"
 #include "api/contact_order.hpp"
 #include "api/detector_access.hpp"
 #include "numbers/floating_point_state.hpp"
+#include "search/bounds/box_frame.hpp"
 #include "search/query/engine.hpp"
 #include "search/query/stopwatch.hpp"
+#include "search/topology/rings.hpp"
 #include "tamis/busy_guard.hpp"
 #include "tamis/detector.hpp"
-#include "search/topology/rings.hpp"
 
 namespace tamis {
 

@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "api/pair_faults.hpp"
-#include "pair/narrow/decide.hpp"
 #include "numbers/assert.hpp"
+#include "pair/narrow/decide.hpp"
+#include "search/engine/pair_buffer.hpp"
 #include "search/query/cancellation.hpp"
 #include "search/query/pair_vertices.hpp"
-#include "search/engine/pair_buffer.hpp"
 
 namespace tamis {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "api/pair_faults.hpp"
 #include "api/validate.hpp"
-#include "pair/narrow/decide.hpp"
-#include "numbers/finite.hpp"
-#include "numbers/floating_point_state.hpp"
 #include "curves/paths/callers_path.hpp"
 #include "curves/paths/carried_pair.hpp"
+#include "numbers/finite.hpp"
+#include "numbers/floating_point_state.hpp"
+#include "pair/narrow/decide.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {

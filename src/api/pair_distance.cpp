@@ -4,11 +4,11 @@
 
 #include "api/pair_faults.hpp"
 #include "api/validate.hpp"
+#include "numbers/floating_point_state.hpp"
 #include "pair/motion/time_clip.hpp"
 #include "pair/narrow/decide.hpp"
 #include "pair/narrow/kept_distance.hpp"
 #include "pair/narrow/near_pair.hpp"
-#include "numbers/floating_point_state.hpp"
 #include "search/query/step_limit.hpp"
 #include "tamis/error.hpp"
 

@@ -1,7 +1,7 @@
 #include "api/pair_faults.hpp"
 
-#include "pair/motion/pair_kinds.hpp"
 #include "numbers/finite.hpp"
+#include "pair/motion/pair_kinds.hpp"
 
 namespace tamis {
 namespace {

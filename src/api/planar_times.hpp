@@ -6,8 +6,8 @@
 #include <array>
 
 #include "api/stored.hpp"
-#include "pair/motion/make_motion.hpp"
 #include "numbers/assert.hpp"
+#include "pair/motion/make_motion.hpp"
 #include "tamis/proximity.hpp"
 
 namespace tamis {

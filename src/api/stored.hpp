@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "search/topology/at.hpp"
 #include "tamis/positions.hpp"
 #include "tamis/stored.hpp"
-#include "search/topology/at.hpp"
 
 namespace tamis {
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "pair/exact/start_distance.hpp"
-#include "pair/narrow/near_pair.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/in_parts.hpp"
 #include "numbers/length.hpp"
+#include "pair/exact/start_distance.hpp"
+#include "pair/narrow/near_pair.hpp"
 #include "search/query/cancellation.hpp"
 #include "search/query/pair_vertices.hpp"
 #include "search/topology/at.hpp"

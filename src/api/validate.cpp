@@ -10,8 +10,8 @@
 #include "numbers/finite.hpp"
 #include "numbers/in_parts.hpp"
 #include "numbers/number_text.hpp"
-#include "tamis/error.hpp"
 #include "search/topology/at.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis {
 namespace {

@@ -1,7 +1,7 @@
 #include <utility>
 
-#include "numbers/integer_polynomial.hpp"
 #include "numbers/assert.hpp"
+#include "numbers/integer_polynomial.hpp"
 
 namespace tamis {
 namespace {

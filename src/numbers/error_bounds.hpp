@@ -118,8 +118,8 @@ inline constexpr double kTurningGap = 96;
 // The same, where the least distance is a part of that at t=0: kGap and kLength, 27 more.
 inline constexpr double kKeptGap = 128;
 
-// A part of D + E + F. While a pair's clearance exceeds it, advancement (pair/narrow/first_within.hpp) goes on, and each
-// advance is at least 1/16 of this part of the step (docs/numerics/steps.md, "Step lengths").
+// A part of D + E + F. While a pair's clearance exceeds it, advancement (pair/narrow/first_within.hpp) goes on, and
+// each advance is at least 1/16 of this part of the step (docs/numerics/steps.md, "Step lengths").
 inline constexpr double kAdvanceClearance = 0x1p-10;
 
 // The same for every pair within two boxes, times the largest extent X along an axis from the lower end of one box to

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstddef>
 
-#include "numbers/dyadic_cell.hpp"
 #include "numbers/assert.hpp"
+#include "numbers/dyadic_cell.hpp"
 
 namespace tamis {
 

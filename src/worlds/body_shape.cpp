@@ -2,13 +2,13 @@
 
 #include <string>
 
-#include "curves/motions/rigid_transform.hpp"
 #include "api/enum_names.hpp"
-#include "search/kernels/kernels.hpp"
+#include "curves/motions/rigid_transform.hpp"
 #include "numbers/finite.hpp"
-#include "tamis/error.hpp"
+#include "search/kernels/kernels.hpp"
 #include "search/topology/at.hpp"
 #include "search/topology/mean_edge.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis {
 

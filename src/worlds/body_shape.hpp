@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "numbers/held_bytes.hpp"
+#include "search/topology/loose_features.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
-#include "search/topology/loose_features.hpp"
 #include "worlds/box_tree.hpp"
 
 namespace tamis {

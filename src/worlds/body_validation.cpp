@@ -5,8 +5,8 @@
 
 #include "numbers/finite.hpp"
 #include "numbers/number_text.hpp"
-#include "tamis/error.hpp"
 #include "search/topology/at.hpp"
+#include "tamis/error.hpp"
 #include "worlds/body.hpp"
 
 namespace tamis {

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "numbers/held_bytes.hpp"
 #include "search/bounds/box.hpp"
 #include "search/bounds/moving_boxes.hpp"
 #include "search/bvh/spatial_order.hpp"
-#include "numbers/held_bytes.hpp"
 #include "search/topology/at.hpp"
 
 namespace tamis {

@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "curves/motions/curvature.hpp"
-#include "pair/motion/time_clip.hpp"
+#include "curves/paths/mesh_pieces.hpp"
 #include "numbers/error_bounds.hpp"
 #include "numbers/held_bytes.hpp"
-#include "curves/paths/mesh_pieces.hpp"
+#include "pair/motion/time_clip.hpp"
 #include "search/query/cancellation.hpp"
 #include "search/topology/at.hpp"
 #include "worlds/world_state.hpp"

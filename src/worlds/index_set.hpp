@@ -8,8 +8,8 @@
 
 #include "numbers/assert.hpp"
 #include "numbers/held_bytes.hpp"
-#include "tamis/mesh.hpp"
 #include "search/topology/at.hpp"
+#include "tamis/mesh.hpp"
 
 namespace tamis {
 

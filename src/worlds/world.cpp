@@ -5,8 +5,8 @@
 #include "api/validate.hpp"
 #include "numbers/floating_point_state.hpp"
 #include "numbers/number_text.hpp"
-#include "tamis/error.hpp"
 #include "search/topology/at.hpp"
+#include "tamis/error.hpp"
 #include "worlds/world_state.hpp"
 
 namespace tamis {

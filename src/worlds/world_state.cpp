@@ -7,8 +7,8 @@
 #include "api/validate.hpp"
 #include "numbers/held_bytes.hpp"
 #include "search/query/stage_counts.hpp"
-#include "tamis/error.hpp"
 #include "search/topology/at.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis {
 namespace {

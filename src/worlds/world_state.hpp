@@ -5,8 +5,8 @@
 #include <set>
 #include <vector>
 
-#include "search/kernels/kernels.hpp"
 #include "numbers/floating_point_state.hpp"
+#include "search/kernels/kernels.hpp"
 #include "search/query/stopwatch.hpp"
 #include "tamis/busy_guard.hpp"
 #include "worlds/gathering.hpp"

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "scenes/random.hpp"
+#include "search/topology/mean_edge.hpp"
 #include "support/contact_bits.hpp"
 #include "support/contact_sets.hpp"
 #include "support/every_question.hpp"
@@ -16,7 +17,6 @@
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
-#include "search/topology/mean_edge.hpp"
 
 namespace tamis::test {
 namespace {

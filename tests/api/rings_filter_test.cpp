@@ -5,11 +5,11 @@
 
 #include "paper/detector.hpp"
 #include "paper/pairs.hpp"
+#include "search/topology/rings.hpp"
 #include "support/as_new.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/error.hpp"
-#include "search/topology/rings.hpp"
 
 namespace tamis::test {
 namespace {

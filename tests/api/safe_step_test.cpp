@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "pair/narrow/near_pair.hpp"
 #include "paper/detector.hpp"
 #include "paper/pairs.hpp"
-#include "pair/narrow/near_pair.hpp"
 #include "search/query/pair_vertices.hpp"
 #include "support/as_new.hpp"
 #include "support/contact_sets.hpp"

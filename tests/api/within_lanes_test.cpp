@@ -1,7 +1,7 @@
 // Runs the families of single pairs through a whole detector with a separation: many pairs in one place, and a filter
 // that lets each feature meet its own partner only. Lanes must give the same bits as the functions for one pair, which
-// tests/pair/narrow compares with the oracle. Would catch: a lane that computes otherwise than the function for one pair, a
-// lane that takes a neighbour's data when pairs are compacted, a pair that is lost between two probes.
+// tests/pair/narrow compares with the oracle. Would catch: a lane that computes otherwise than the function for one
+// pair, a lane that takes a neighbour's data when pairs are compacted, a pair that is lost between two probes.
 #include <gtest/gtest.h>
 
 #include <map>

@@ -1,6 +1,6 @@
 // Any bytes through the PLY reader: a usable mesh, or one printable sentence.
-#include "fuzz/reader_checks.hpp"
 #include "files/mesh/ply.hpp"
+#include "fuzz/reader_checks.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   tamis::fuzz::check_reader(

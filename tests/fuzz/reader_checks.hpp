@@ -6,9 +6,9 @@
 #include <span>
 #include <string_view>
 
-#include "fuzz/require.hpp"
 #include "files/error.hpp"
 #include "files/mesh/mesh_file.hpp"
+#include "fuzz/require.hpp"
 
 namespace tamis::fuzz {
 

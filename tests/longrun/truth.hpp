@@ -2,8 +2,8 @@
 #pragma once
 #include <string_view>
 
-#include "pair/exact/exact.hpp"
 #include "oracle/oracle.hpp"
+#include "pair/exact/exact.hpp"
 
 namespace tamis::test {
 

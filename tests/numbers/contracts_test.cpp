@@ -4,8 +4,9 @@
 #include <limits>
 
 #include "numbers/dyadic_cell.hpp"
-#include "pair/exact/exact_distance.hpp"
 #include "numbers/integer_polynomial.hpp"
+#include "numbers/interval.hpp"
+#include "pair/exact/exact_distance.hpp"
 #include "pair/exact/nearest_point.hpp"
 #include "pair/exact/root_isolation.hpp"
 #include "pair/motion/pair_kinds.hpp"
@@ -13,7 +14,6 @@
 #include "pair/narrow/decisions.hpp"
 #include "pair/narrow/first_within.hpp"
 #include "pair/narrow/kept_distance.hpp"
-#include "numbers/interval.hpp"
 #include "search/topology/countable.hpp"
 
 namespace tamis::test {

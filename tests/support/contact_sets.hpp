@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "paper/detector.hpp"
 #include "oracle/oracle.hpp"
+#include "paper/detector.hpp"
 #include "scenes/scene.hpp"
 #include "tamis/contact.hpp"
 

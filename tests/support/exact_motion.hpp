@@ -2,8 +2,8 @@
 #pragma once
 #include <gmpxx.h>
 
-#include "pair/motion/make_motion.hpp"
 #include "oracle/oracle.hpp"
+#include "pair/motion/make_motion.hpp"
 
 namespace tamis::test {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "pair/motion/make_motion.hpp"
 #include "oracle/oracle.hpp"
+#include "pair/motion/make_motion.hpp"
 #include "scenes/random.hpp"
 #include "support/describe.hpp"
 

@@ -1,6 +1,6 @@
-// Objects that have collapsed (tools/audit/collapsed.hpp). One rule for all verbs: a note names them where the answer is no.
-// Verbs that answer with pairs leave these objects out, as every part of them may touch every other, and end with exit
-// code 1.
+// Objects that have collapsed (tools/audit/collapsed.hpp). One rule for all verbs: a note names them where the answer
+// is no. Verbs that answer with pairs leave these objects out, as every part of them may touch every other, and end
+// with exit code 1.
 #pragma once
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 // Boxes of elements, and tests whether two of them may hold features that matter. Everything is in doubles and rounded
 // outward: a pair that a test leaves out is proven not to matter.
 #pragma once
-#include "search/bounds/box.hpp"
 #include "distributed/src/partition/element_set.hpp"
+#include "search/bounds/box.hpp"
 
 namespace tamis::distributed {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "search/bounds/box.hpp"
 #include "distributed/src/partition/box_tree.hpp"
+#include "search/bounds/box.hpp"
 
 namespace tamis::distributed {
 namespace {

@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "search/bounds/fine_place.hpp"
 #include "distributed/src/agreement.hpp"
+#include "search/bounds/fine_place.hpp"
 
 namespace tamis::distributed {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
-#include "integrations/bullet/mesh_of_shape.hpp"
 #include "files/mesh/ply.hpp"
+#include "integrations/bullet/mesh_of_shape.hpp"
 
 namespace tamis::bullet {
 

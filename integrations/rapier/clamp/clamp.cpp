@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "integrations/clamp.hpp"
 #include "c/world.hpp"
+#include "integrations/clamp.hpp"
 
 namespace tamis::c {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <random>
 
-#include "search/bounds/random_point.hpp"
 #include "paper/bounds/oriented_box.hpp"
 #include "paper/bounds/sphere.hpp"
+#include "search/bounds/random_point.hpp"
 
 namespace tamis::lab {
 namespace {

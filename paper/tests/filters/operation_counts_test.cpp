@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <random>
 
+#include "pair/motion/make_motion.hpp"
 #include "paper/filters/filters.hpp"
 #include "paper/pipeline/interval_newton.hpp"
-#include "pair/motion/make_motion.hpp"
 #include "support/counted.hpp"
 
 namespace tamis::test {

@@ -6,9 +6,9 @@
 #include "curves/motions/chain_motion.hpp"
 #include "numbers/floating_point_state.hpp"
 #include "numbers/number_text.hpp"
+#include "search/topology/points.hpp"
 #include "tamis/error.hpp"
 #include "tamis/rigid_path.hpp"
-#include "search/topology/points.hpp"
 
 namespace tamis {
 namespace {

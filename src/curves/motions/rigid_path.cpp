@@ -7,8 +7,8 @@
 #include "curves/motions/fine_point.hpp"
 #include "curves/motions/rigid_transform.hpp"
 #include "numbers/floating_point_state.hpp"
-#include "tamis/error.hpp"
 #include "search/topology/at.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis {
 namespace {

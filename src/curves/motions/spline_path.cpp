@@ -9,8 +9,8 @@
 #include "numbers/error_bounds.hpp"
 #include "numbers/finite.hpp"
 #include "numbers/floating_point_state.hpp"
-#include "tamis/error.hpp"
 #include "search/topology/at.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis {
 

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "curves/motions/fine_point.hpp"
+#include "curves/paths/path_reader.hpp"
 #include "pair/distance/closest.hpp"
 #include "pair/filters/dnf.hpp"
 #include "pair/filters/ncf.hpp"
 #include "pair/motion/pair_kinds.hpp"
-#include "curves/paths/path_reader.hpp"
 
 namespace tamis {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "pair/narrow/crossing.hpp"
-#include "numbers/assert.hpp"
 #include "curves/paths/chords.hpp"
 #include "curves/paths/first_on_path.hpp"
 #include "curves/paths/path_parts.hpp"
+#include "numbers/assert.hpp"
+#include "pair/narrow/crossing.hpp"
 
 namespace tamis {
 namespace {

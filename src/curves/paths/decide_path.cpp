@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "pair/narrow/contact_normal.hpp"
-#include "numbers/assert.hpp"
 #include "curves/paths/chords.hpp"
 #include "curves/paths/first_on_path.hpp"
+#include "numbers/assert.hpp"
+#include "pair/narrow/contact_normal.hpp"
 
 namespace tamis {
 namespace {

@@ -4,10 +4,10 @@
 #pragma once
 #include <optional>
 
+#include "curves/paths/path_reader.hpp"
 #include "pair/motion/decision.hpp"
 #include "pair/motion/time_clip.hpp"
 #include "pair/narrow/kept_distance.hpp"
-#include "curves/paths/path_reader.hpp"
 
 namespace tamis {
 

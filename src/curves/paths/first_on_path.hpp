@@ -12,8 +12,8 @@ Decision first_crossing_on_path(const PathQuestion& question, const PairReader& 
                                 const TimeInterval<double>& time);
 
 /// decide_on_path for a pair with a separation > 0: the time at which the chords of a piece come within the separation
-/// plus their deviations (pair/narrow/first_within.hpp). Until then the curves are apart; the next, shorter piece begins
-/// there.
+/// plus their deviations (pair/narrow/first_within.hpp). Until then the curves are apart; the next, shorter piece
+/// begins there.
 Decision first_within_on_path(const PathQuestion& question, const PairReader& reader, const TimeInterval<double>& time);
 
 /// At one time: is the distance beyond the separation, certainly?

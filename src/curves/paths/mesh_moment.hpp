@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "pair/motion/separations.hpp"
 #include "numbers/axes.hpp"
 #include "numbers/error_bounds.hpp"
 #include "numbers/number_text.hpp"
+#include "pair/motion/separations.hpp"
 #include "tamis/error.hpp"
 #include "tamis/path.hpp"
 

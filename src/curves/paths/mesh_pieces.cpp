@@ -6,14 +6,14 @@
 #include <numeric>
 #include <string>
 
-#include "pair/motion/time_clip.hpp"
+#include "curves/paths/path_reader.hpp"
 #include "numbers/error_bounds.hpp"
 #include "numbers/length.hpp"
 #include "numbers/number_text.hpp"
-#include "curves/paths/path_reader.hpp"
-#include "tamis/error.hpp"
+#include "pair/motion/time_clip.hpp"
 #include "search/topology/at.hpp"
 #include "search/topology/mean_edge.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis {
 namespace {

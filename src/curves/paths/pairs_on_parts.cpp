@@ -4,9 +4,9 @@
 #include <numeric>
 #include <utility>
 
-#include "pair/motion/time_clip.hpp"
-#include "numbers/in_parts.hpp"
 #include "curves/paths/path_reader.hpp"
+#include "numbers/in_parts.hpp"
+#include "pair/motion/time_clip.hpp"
 #include "search/query/cancellation.hpp"
 #include "search/topology/at.hpp"
 

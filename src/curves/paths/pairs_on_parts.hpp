@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "search/kernels/kernels.hpp"
 #include "curves/paths/mesh_moment.hpp"
+#include "search/kernels/kernels.hpp"
 #include "search/query/pair_vertices.hpp"
 #include "tamis/path.hpp"
 

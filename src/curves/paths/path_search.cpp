@@ -7,13 +7,13 @@
 #include <cmath>
 #include <optional>
 
+#include "curves/paths/cached_path.hpp"
+#include "curves/paths/carried_pair.hpp"
+#include "curves/paths/decide_path.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/error_bounds.hpp"
 #include "numbers/floating_point_state.hpp"
 #include "numbers/in_parts.hpp"
-#include "curves/paths/cached_path.hpp"
-#include "curves/paths/carried_pair.hpp"
-#include "curves/paths/decide_path.hpp"
 #include "search/query/cancellation.hpp"
 #include "search/topology/at.hpp"
 #include "search/topology/neighbourhood_maximum.hpp"

@@ -7,9 +7,9 @@
 #include <tuple>
 #include <vector>
 
-#include "pair/motion/time_clip.hpp"
 #include "curves/paths/mesh_pieces.hpp"
 #include "curves/paths/pairs_on_parts.hpp"
+#include "pair/motion/time_clip.hpp"
 #include "search/query/engine.hpp"
 #include "tamis/path.hpp"
 

@@ -1,10 +1,10 @@
 // Step lengths on curves. The distance that a pair must keep counts as its separation: the time at which it is reached
 // is found as with any other separation.
-#include "pair/narrow/near_pair.hpp"
 #include "curves/paths/carried_pair.hpp"
 #include "curves/paths/decide_path.hpp"
 #include "curves/paths/path_reader.hpp"
 #include "curves/paths/path_search.hpp"
+#include "pair/narrow/near_pair.hpp"
 
 namespace tamis {
 namespace {

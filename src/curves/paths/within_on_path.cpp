@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pair/narrow/first_within.hpp"
-#include "numbers/assert.hpp"
-#include "numbers/error_bounds.hpp"
 #include "curves/paths/chords.hpp"
 #include "curves/paths/first_on_path.hpp"
 #include "curves/paths/path_parts.hpp"
+#include "numbers/assert.hpp"
+#include "numbers/error_bounds.hpp"
+#include "pair/narrow/first_within.hpp"
 
 namespace tamis {
 namespace {

@@ -4,10 +4,10 @@
 #pragma once
 #include <limits>
 
-#include "pair/motion/difference_corners.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/error_bounds.hpp"
 #include "numbers/unit_vector.hpp"
+#include "pair/motion/difference_corners.hpp"
 
 namespace tamis {
 

@@ -1,9 +1,9 @@
 // Closest points of two features at one time, in doubles, double-doubles or lanes: for contact weights, distances, and
 // the axis along which the features are apart.
 #pragma once
-#include "pair/motion/pair_kinds.hpp"
 #include "numbers/select.hpp"
 #include "numbers/vec.hpp"
+#include "pair/motion/pair_kinds.hpp"
 
 namespace tamis {
 

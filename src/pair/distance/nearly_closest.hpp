@@ -2,8 +2,8 @@
 // vector, and succeed with a short one. Without branches, for lanes (after Ericson 2005, 5.1.5 and 5.1.9). Cost: about
 // 60 operations for edges, 100 for a vertex and a face.
 #pragma once
-#include "pair/motion/pair_motion.hpp"
 #include "numbers/error_bounds.hpp"
+#include "pair/motion/pair_motion.hpp"
 
 namespace tamis {
 

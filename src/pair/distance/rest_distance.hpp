@@ -2,11 +2,11 @@
 // above, the axis along their gap from below. And the direction from one to the other, where doubles tell it; integers
 // tell the rest. Error bounds: kGap, kAxisNow. Cost: about 200 operations.
 #pragma once
+#include "numbers/assert.hpp"
+#include "numbers/unit_vector.hpp"
 #include "pair/distance/closest.hpp"
 #include "pair/motion/difference_corners.hpp"
 #include "pair/motion/pair_motion.hpp"
-#include "numbers/assert.hpp"
-#include "numbers/unit_vector.hpp"
 
 namespace tamis {
 

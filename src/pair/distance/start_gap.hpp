@@ -2,9 +2,9 @@
 // Error bound: twice that of a projection and of a velocity, so that what is culled here is also beyond reach by the
 // bounds in doubles of pair/narrow/kept_distance.hpp. Cost: about 150 operations.
 #pragma once
-#include "pair/motion/difference_corners.hpp"
 #include "numbers/axes.hpp"
 #include "numbers/error_bounds.hpp"
+#include "pair/motion/difference_corners.hpp"
 
 namespace tamis {
 

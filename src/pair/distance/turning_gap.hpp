@@ -3,11 +3,11 @@
 // time, whose Bernstein coefficients bound them from below; so one axis proves a pair apart that turns as a whole.
 // Error bound: kTurningGap. Cost: about 350 operations.
 #pragma once
+#include "numbers/assert.hpp"
 #include "pair/distance/nearly_closest.hpp"
 #include "pair/filters/filter.hpp"
 #include "pair/motion/difference_corners.hpp"
 #include "pair/motion/time_clip.hpp"
-#include "numbers/assert.hpp"
 
 namespace tamis {
 

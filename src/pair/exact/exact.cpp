@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "numbers/assert.hpp"
 #include "pair/exact/exact_separation.hpp"
 #include "pair/exact/moving_polygon.hpp"
 #include "pair/exact/start_distance.hpp"
 #include "pair/motion/pair_kinds.hpp"
 #include "pair/motion/polynomials.hpp"
-#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

@@ -15,9 +15,10 @@ Decision decide_exactly(PairKind kind, const PairPoints& points, double separati
 /// Recontact: the same, but a pair that touches at t=0 counts only from when it touches again after it has come apart.
 Decision decide_recontact_exactly(PairKind kind, const PairPoints& points, double separation = 0);
 
-/// The side of the second feature on which the first one is: the sign of its place along e x f (pair/motion/pair_motion.hpp)
-/// at `time`, or just before it if the four points are coplanar at `time`; at t=0 the motion is continued backwards. 0:
-/// they are coplanar throughout. REQUIRES: finite coordinates, `time` in [0,1], a kind that can cross.
+/// The side of the second feature on which the first one is: the sign of its place along e x f
+/// (pair/motion/pair_motion.hpp) at `time`, or just before it if the four points are coplanar at `time`; at t=0 the
+/// motion is continued backwards. 0: they are coplanar throughout. REQUIRES: finite coordinates, `time` in [0,1], a
+/// kind that can cross.
 int side_just_before(PairKind kind, const PairPoints& points, double time);
 
 }  // namespace tamis

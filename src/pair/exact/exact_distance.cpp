@@ -5,8 +5,8 @@
 #include <optional>
 #include <type_traits>
 
-#include "pair/exact/nearest_point.hpp"
 #include "numbers/unit_vector.hpp"
+#include "pair/exact/nearest_point.hpp"
 
 namespace tamis {
 namespace {

@@ -6,8 +6,8 @@
 
 namespace tamis {
 
-/// As in NearPair, each off by a few u of itself; `direction` is along the gap (pair/distance/closest.hpp). Of features that
-/// touch it is the direction in which they came together; if they did not move, their normal, or zero without one.
+/// As in NearPair, each off by a few u of itself; `direction` is along the gap (pair/distance/closest.hpp). Of features
+/// that touch it is the direction in which they came together; if they did not move, their normal, or zero without one.
 struct ExactDistance {
   double distance, u, v;
   Vec3<double> direction;

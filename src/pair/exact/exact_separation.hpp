@@ -1,7 +1,7 @@
 // Exact algebra with a minimum separation s > 0: when do the features first come within s of each other?
 //
-// The distance is that of the origin to a moving convex polygon (pair/exact/moving_polygon.hpp). Where it first falls to s,
-// the nearest point is a corner, or lies inside a side or inside the polygon; and then one of these vanishes:
+// The distance is that of the origin to a moving convex polygon (pair/exact/moving_polygon.hpp). Where it first falls
+// to s, the nearest point is a corner, or lies inside a side or inside the polygon; and then one of these vanishes:
 //   corner c         |c|^2 - s^2                        degree 2
 //   side from x to y |x cross y|^2 - s^2 |y - x|^2      degree 4
 //   plane            (c.n)^2 - s^2 n.n                  degree 6

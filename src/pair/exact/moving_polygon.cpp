@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "numbers/assert.hpp"
 #include "pair/exact/units.hpp"
 #include "pair/motion/pair_kinds.hpp"
-#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "numbers/dyadic_cell.hpp"
+#include "numbers/word.hpp"
 #include "pair/motion/make_motion.hpp"
 #include "pair/motion/polynomials.hpp"
-#include "numbers/word.hpp"
 
 namespace tamis {
 

@@ -5,9 +5,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "pair/exact/moving_polygon.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/wide_double.hpp"
+#include "pair/exact/moving_polygon.hpp"
 
 namespace tamis {
 

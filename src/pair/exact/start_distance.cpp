@@ -4,9 +4,9 @@
 #include <limits>
 #include <optional>
 
+#include "numbers/assert.hpp"
 #include "pair/exact/nearest_point.hpp"
 #include "pair/motion/polynomials.hpp"
-#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

@@ -9,8 +9,8 @@
 #include <optional>
 #include <span>
 
-#include "pair/motion/make_motion.hpp"
 #include "numbers/word.hpp"
+#include "pair/motion/make_motion.hpp"
 
 namespace tamis {
 

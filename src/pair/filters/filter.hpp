@@ -14,9 +14,9 @@
 #include <string_view>
 #include <type_traits>
 
-#include "pair/motion/pair_motion.hpp"
 #include "numbers/error_bounds.hpp"
 #include "numbers/select.hpp"
+#include "pair/motion/pair_motion.hpp"
 
 namespace tamis {
 

@@ -5,10 +5,10 @@
 // The axes are the 13 of the 26-DOP, or the three of the coordinates.
 // Error bound: error_bounds::kProjection. Cost: about 40 operations an axis.
 #pragma once
+#include "numbers/axes.hpp"
 #include "pair/filters/filter.hpp"
 #include "pair/motion/difference_corners.hpp"
 #include "pair/motion/time_clip.hpp"
-#include "numbers/axes.hpp"
 
 namespace tamis {
 

@@ -3,9 +3,9 @@
 #pragma once
 #include <array>
 
-#include "pair/motion/pair_motion.hpp"
 #include "numbers/error_bounds.hpp"
 #include "numbers/select.hpp"
+#include "pair/motion/pair_motion.hpp"
 
 namespace tamis {
 

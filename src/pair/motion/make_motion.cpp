@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pair/motion/pair_kinds.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/finite.hpp"
 #include "numbers/scale.hpp"
+#include "pair/motion/pair_kinds.hpp"
 
 namespace tamis {
 namespace {

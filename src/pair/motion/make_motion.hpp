@@ -3,8 +3,8 @@
 #include <array>
 #include <optional>
 
-#include "pair/motion/pair_motion.hpp"
 #include "numbers/double_double.hpp"
+#include "pair/motion/pair_motion.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis {

@@ -4,8 +4,8 @@
 #include <array>
 #include <span>
 
-#include "pair/motion/pair_kinds.hpp"
 #include "numbers/assert.hpp"
+#include "pair/motion/pair_kinds.hpp"
 
 namespace tamis {
 

@@ -2,9 +2,9 @@
 // until when is it certainly apart? The next time to probe is where that proof ends: Newton's method on the distance,
 // from the safe side. For double and for SIMD lanes, so that a pair has the same bits however it is asked.
 #pragma once
+#include "numbers/assert.hpp"
 #include "pair/distance/orthogonal_axis.hpp"
 #include "pair/filters/filter.hpp"
-#include "numbers/assert.hpp"
 
 namespace tamis {
 

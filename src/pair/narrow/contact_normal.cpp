@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "numbers/assert.hpp"
+#include "numbers/unit_vector.hpp"
 #include "pair/distance/rest_distance.hpp"
 #include "pair/exact/exact.hpp"
 #include "pair/exact/exact_distance.hpp"
 #include "pair/narrow/crossing_slope.hpp"
-#include "numbers/assert.hpp"
-#include "numbers/unit_vector.hpp"
 
 namespace tamis {
 namespace {

@@ -1,14 +1,14 @@
 // One crossing: where the coplanarity cubic provably passes zero exactly once during the motion, certified signs
 // bracket the root, and the inside test compares the features there. This decides nearly every pair that reaches the
-// solver; the rest is cut in time first (pair/narrow/decide_in_doubles.cpp). One template for double and for SIMD lanes;
-// every lane's answer depends on that lane alone.
+// solver; the rest is cut in time first (pair/narrow/decide_in_doubles.cpp). One template for double and for SIMD
+// lanes; every lane's answer depends on that lane alone.
 #pragma once
+#include "numbers/assert.hpp"
 #include "pair/filters/ncf.hpp"
 #include "pair/motion/polynomials.hpp"
 #include "pair/motion/time_clip.hpp"
 #include "pair/narrow/crossing_root.hpp"
 #include "pair/narrow/crossing_sides.hpp"
-#include "numbers/assert.hpp"
 
 namespace tamis {
 

@@ -1,10 +1,10 @@
 // The inside test: do the features of a pair meet at the time at which their four points are coplanar? For double,
 // double-double and SIMD lanes.
 #pragma once
-#include "pair/motion/pair_kinds.hpp"
-#include "pair/motion/pair_motion.hpp"
 #include "numbers/error_bounds.hpp"
 #include "numbers/select.hpp"
+#include "pair/motion/pair_kinds.hpp"
+#include "pair/motion/pair_motion.hpp"
 
 namespace tamis::crossing {
 

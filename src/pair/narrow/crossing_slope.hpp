@@ -2,10 +2,10 @@
 #pragma once
 #include <cmath>
 
+#include "numbers/error_bounds.hpp"
 #include "pair/motion/polynomials.hpp"
 #include "pair/motion/time_clip.hpp"
 #include "pair/narrow/crossing_root.hpp"
-#include "numbers/error_bounds.hpp"
 
 namespace tamis::crossing {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "numbers/assert.hpp"
 #include "pair/distance/turning_gap.hpp"
 #include "pair/exact/exact.hpp"
 #include "pair/motion/pair_kinds.hpp"
@@ -12,7 +13,6 @@
 #include "pair/narrow/crossing_root.hpp"
 #include "pair/narrow/crossing_slope.hpp"
 #include "pair/narrow/decisions.hpp"
-#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "numbers/assert.hpp"
 #include "pair/distance/turning_gap.hpp"
 #include "pair/filters/ncf.hpp"
 #include "pair/filters/slab_clip.hpp"
@@ -10,7 +11,6 @@
 #include "pair/narrow/decisions.hpp"
 #include "pair/narrow/first_within.hpp"
 #include "pair/narrow/flat_root.hpp"
-#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

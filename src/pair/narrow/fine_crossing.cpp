@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numbers/assert.hpp"
 #include "pair/motion/pair_kinds.hpp"
 #include "pair/narrow/crossing_sides.hpp"
 #include "pair/narrow/crossing_slope.hpp"
 #include "pair/narrow/decisions.hpp"
-#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

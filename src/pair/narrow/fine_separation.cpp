@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numbers/assert.hpp"
+#include "numbers/scale.hpp"
 #include "pair/distance/orthogonal_axis.hpp"
 #include "pair/motion/pair_kinds.hpp"
 #include "pair/narrow/decisions.hpp"
-#include "numbers/assert.hpp"
-#include "numbers/scale.hpp"
 
 namespace tamis {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "numbers/assert.hpp"
 #include "pair/motion/pair_kinds.hpp"
 #include "pair/narrow/advancement.hpp"
-#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

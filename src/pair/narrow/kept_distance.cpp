@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "numbers/assert.hpp"
 #include "pair/distance/kept_gap.hpp"
 #include "pair/distance/orthogonal_axis.hpp"
 #include "pair/exact/start_distance.hpp"
@@ -11,7 +12,6 @@
 #include "pair/motion/pair_kinds.hpp"
 #include "pair/narrow/decide.hpp"
 #include "pair/narrow/first_within.hpp"
-#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

@@ -1,7 +1,8 @@
 // Step lengths: how long does a pair keep a fraction of the distance it has at t=0? What counts is the distance beyond
 // the minimum separation, its clearance. Two proofs, the second where the first ends:
 //   by speed        the clearance falls no faster than the corners of the two features move against each other;
-//   by advancement  the fraction to be kept is a separation, and advancement along axes (pair/narrow/first_within.hpp) finds
+//   by advancement  the fraction to be kept is a separation, and advancement along axes (pair/narrow/first_within.hpp)
+//   finds
 //                   when it is reached.
 #pragma once
 #include "pair/motion/make_motion.hpp"

@@ -1,9 +1,9 @@
 #include "pair/narrow/near_pair.hpp"
 
+#include "numbers/assert.hpp"
 #include "pair/distance/rest_distance.hpp"
 #include "pair/exact/exact_distance.hpp"
 #include "pair/exact/start_distance.hpp"
-#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

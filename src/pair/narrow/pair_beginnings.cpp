@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numbers/assert.hpp"
 #include "pair/distance/axis_clip.hpp"
 #include "pair/distance/closest.hpp"
 #include "pair/motion/pair_kinds.hpp"
 #include "pair/motion/polynomials.hpp"
 #include "pair/narrow/decisions.hpp"
-#include "numbers/assert.hpp"
 
 namespace tamis {
 namespace {

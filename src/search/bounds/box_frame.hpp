@@ -31,9 +31,9 @@ struct BoxFrame {
   /// The relative margin of boxes of residuals, times the residual: rounding to float is off by 2^-24 of it, the box's
   /// own subtraction by as much.
   static constexpr float kRelativeMargin = 0x1p-22f;
-  /// Added to that, the absolute margin: the speed of a single pair (pair/narrow/kept_distance.hpp) is rounded up by at most
-  /// 2 * 40 * 2^-53 of its three sizes, each at most 2 here: below 2^-44, and two boxes' margins add up. No bound from
-  /// boxes may be sharper than that speed.
+  /// Added to that, the absolute margin: the speed of a single pair (pair/narrow/kept_distance.hpp) is rounded up by at
+  /// most 2 * 40 * 2^-53 of its three sizes, each at most 2 here: below 2^-44, and two boxes' margins add up. No bound
+  /// from boxes may be sharper than that speed.
   static constexpr float kLeastMargin = 0x1p-44f;
   /// What rounding hides of an outlier, relative to the sum of its largest coordinate and its radius: rounding to float
   /// is off by 2^-24 of it, the box's own subtraction by as much, and on an axis with m components 1 or -1

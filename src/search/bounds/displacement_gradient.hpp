@@ -5,8 +5,8 @@
 #include <array>
 #include <span>
 
-#include "search/bounds/packed_motion.hpp"
 #include "numbers/vec.hpp"
+#include "search/bounds/packed_motion.hpp"
 
 namespace tamis {
 

@@ -5,11 +5,11 @@
 #include <functional>
 #include <utility>
 
+#include "numbers/assert.hpp"
+#include "numbers/in_parts.hpp"
 #include "search/bounds/box.hpp"
 #include "search/bounds/scene_vertices.hpp"
 #include "search/bounds/shared_motion.hpp"
-#include "numbers/assert.hpp"
-#include "numbers/in_parts.hpp"
 
 namespace tamis {
 namespace {

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "search/bounds/box_frame.hpp"
-#include "pair/motion/separations.hpp"
 #include "numbers/held_bytes.hpp"
+#include "pair/motion/separations.hpp"
+#include "search/bounds/box_frame.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis {

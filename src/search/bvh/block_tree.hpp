@@ -8,12 +8,12 @@
 #include <span>
 #include <vector>
 
+#include "numbers/held_bytes.hpp"
+#include "numbers/raw_array.hpp"
 #include "search/bounds/moving_boxes.hpp"
 #include "search/bounds/packed_motion.hpp"
 #include "search/bvh/group_order.hpp"
 #include "search/bvh/order_axes.hpp"
-#include "numbers/held_bytes.hpp"
-#include "numbers/raw_array.hpp"
 #include "tamis/mesh.hpp"
 
 namespace tamis {

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "search/bounds/box.hpp"
 #include "numbers/counting_sort.hpp"
+#include "search/bounds/box.hpp"
 
 namespace tamis {
 namespace {

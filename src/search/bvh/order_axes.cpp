@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "search/bounds/box.hpp"
 #include "numbers/assert.hpp"
+#include "search/bounds/box.hpp"
 
 namespace tamis {
 namespace {

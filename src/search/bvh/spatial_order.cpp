@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "search/bounds/moving_boxes.hpp"
 #include "numbers/floating_point_state.hpp"
+#include "search/bounds/moving_boxes.hpp"
 
 namespace tamis {
 namespace {

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "search/kernels/kernels.hpp"
-#include "pair/motion/time_clip.hpp"
 #include "numbers/held_bytes.hpp"
+#include "pair/motion/time_clip.hpp"
+#include "search/kernels/kernels.hpp"
 
 namespace tamis {
 

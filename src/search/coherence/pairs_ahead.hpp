@@ -3,9 +3,9 @@
 #pragma once
 #include <vector>
 
+#include "numbers/held_bytes.hpp"
 #include "search/coherence/kept_lists.hpp"
 #include "search/coherence/predicted_step.hpp"
-#include "numbers/held_bytes.hpp"
 #include "search/query/contact_collector.hpp"
 
 namespace tamis {

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "search/coherence/kept_lists.hpp"
 #include "numbers/held_bytes.hpp"
+#include "search/coherence/kept_lists.hpp"
 
 namespace tamis {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "search/coherence/kept_lists.hpp"
-#include "search/query/bound.hpp"
 #include "search/engine/thread_streams.hpp"
+#include "search/query/bound.hpp"
 
 namespace tamis {
 

@@ -7,9 +7,9 @@
 
 #include "pair/narrow/contact_normal.hpp"
 #include "pair/narrow/decide.hpp"
-#include "search/query/cancellation.hpp"
 #include "search/engine/pair_buffer.hpp"
 #include "search/engine/stages.hpp"
+#include "search/query/cancellation.hpp"
 
 namespace tamis {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <span>
 
-#include "search/query/contact_collector.hpp"
 #include "search/engine/pair_stream.hpp"
+#include "search/query/contact_collector.hpp"
 
 namespace tamis {
 

@@ -1,8 +1,8 @@
 // Conducts contacts, earliest and is_free: where the mesh moves on as before, pairs that may touch are listed for
 // several steps, and the list is asked; else the trees are searched.
 #pragma once
-#include "search/coherence/pairs_ahead.hpp"
 #include "numbers/held_bytes.hpp"
+#include "search/coherence/pairs_ahead.hpp"
 #include "search/engine/candidate_search.hpp"
 #include "search/engine/contact_consumer.hpp"
 #include "search/engine/thread_streams.hpp"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "search/bvh/order_axes.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/in_parts.hpp"
+#include "search/bvh/order_axes.hpp"
 #include "search/query/cancellation.hpp"
 #include "search/query/stopwatch.hpp"
 

@@ -4,12 +4,12 @@
 #include <array>
 #include <optional>
 
+#include "numbers/held_bytes.hpp"
 #include "search/bvh/block_tree.hpp"
 #include "search/kernels/kernels.hpp"
-#include "numbers/held_bytes.hpp"
+#include "search/topology/loose_features.hpp"
 #include "tamis/options.hpp"
 #include "tamis/statistics.hpp"
-#include "search/topology/loose_features.hpp"
 
 namespace tamis {
 

@@ -1,10 +1,10 @@
 #include "search/engine/intersection_search.hpp"
 
 #include "pair/narrow/decide.hpp"
-#include "search/query/cancellation.hpp"
-#include "search/query/engine.hpp"
 #include "search/engine/pair_buffer.hpp"
 #include "search/engine/stages.hpp"
+#include "search/query/cancellation.hpp"
+#include "search/query/engine.hpp"
 
 namespace tamis {
 namespace {

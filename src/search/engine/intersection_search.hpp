@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "numbers/held_bytes.hpp"
-#include "search/query/bound.hpp"
 #include "search/engine/thread_streams.hpp"
+#include "search/query/bound.hpp"
 
 namespace tamis {
 

@@ -2,8 +2,8 @@
 // positions: each consumer calls it where that costs least, before a pair is decided (ProximityConsumer after its
 // distance). Only the rings (Query::are_neighbours) are asked after that.
 #pragma once
-#include "search/kernels/kernels.hpp"
 #include "numbers/assert.hpp"
+#include "search/kernels/kernels.hpp"
 #include "search/query/isolated.hpp"
 #include "search/query/pair_groups.hpp"
 #include "search/query/pair_vertices.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "numbers/assert.hpp"
-#include "search/query/cancellation.hpp"
 #include "search/engine/pair_buffer.hpp"
+#include "search/query/cancellation.hpp"
 
 namespace tamis {
 

@@ -2,9 +2,9 @@
 // A derived class for each question says how (*_consumer, *_search).
 #pragma once
 #include "search/coherence/pair_lists.hpp"
-#include "search/query/query.hpp"
 #include "search/engine/samples.hpp"
 #include "search/engine/workspace.hpp"
+#include "search/query/query.hpp"
 
 namespace tamis {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pair/narrow/near_pair.hpp"
 #include "numbers/in_parts.hpp"
-#include "search/query/cancellation.hpp"
+#include "pair/narrow/near_pair.hpp"
 #include "search/engine/pair_buffer.hpp"
+#include "search/query/cancellation.hpp"
 #include "search/topology/countable.hpp"
 
 namespace tamis {

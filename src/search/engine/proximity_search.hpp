@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "numbers/held_bytes.hpp"
+#include "search/engine/thread_streams.hpp"
 #include "search/query/pair_vertices.hpp"
 #include "search/query/proximity_order.hpp"
-#include "search/engine/thread_streams.hpp"
 #include "tamis/proximity.hpp"
 
 namespace tamis {

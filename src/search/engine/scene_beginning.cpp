@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "search/bounds/box.hpp"
 #include "numbers/assert.hpp"
+#include "search/bounds/box.hpp"
 
 namespace tamis {
 namespace {

@@ -4,9 +4,9 @@
 #include <span>
 
 #include "numbers/in_parts.hpp"
+#include "search/engine/workspace.hpp"
 #include "search/query/isolated.hpp"
 #include "search/query/pair_vertices.hpp"
-#include "search/engine/workspace.hpp"
 
 namespace tamis {
 

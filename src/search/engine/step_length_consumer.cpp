@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "numbers/error_bounds.hpp"
-#include "search/query/cancellation.hpp"
 #include "search/engine/pair_buffer.hpp"
+#include "search/query/cancellation.hpp"
 
 namespace tamis {
 namespace {

@@ -2,11 +2,11 @@
 #pragma once
 #include <vector>
 
-#include "search/bounds/shared_motion.hpp"
 #include "numbers/held_bytes.hpp"
+#include "search/bounds/shared_motion.hpp"
+#include "search/engine/pair_stream.hpp"
 #include "search/query/bound.hpp"
 #include "search/query/step_limit.hpp"
-#include "search/engine/pair_stream.hpp"
 
 namespace tamis {
 

@@ -4,8 +4,8 @@
 // pairs of moving boxes that come as near, and each pair that ends the step earlier shortens it for all others. If one
 // start is asked about again and again, the pairs near it are listed, and the list is asked.
 #pragma once
-#include "search/coherence/pairs_near_start.hpp"
 #include "numbers/held_bytes.hpp"
+#include "search/coherence/pairs_near_start.hpp"
 #include "search/engine/candidate_search.hpp"
 #include "search/engine/step_length_consumer.hpp"
 #include "search/engine/thread_streams.hpp"

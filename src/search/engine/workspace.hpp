@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "numbers/held_bytes.hpp"
-#include "search/query/stopwatch.hpp"
 #include "search/engine/feature_trees.hpp"
 #include "search/engine/search_counts.hpp"
+#include "search/query/stopwatch.hpp"
 
 namespace tamis {
 

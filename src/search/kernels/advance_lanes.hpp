@@ -1,16 +1,16 @@
 // When do pairs come within their separation? Each pair takes as many steps of conservative advancement as it needs
-// (pair/narrow/advancement.hpp). After each step the pairs that go on are compacted, so that no lane waits for the slowest.
-// Undecided pairs then take the same steps one at a time (pair/narrow/first_within.hpp), with the same bits.
+// (pair/narrow/advancement.hpp). After each step the pairs that go on are compacted, so that no lane waits for the
+// slowest. Undecided pairs then take the same steps one at a time (pair/narrow/first_within.hpp), with the same bits.
 #pragma once
 #include <limits>
 
 #include "pair/distance/rest_distance.hpp"
 #include "pair/filters/slab_clip.hpp"
+#include "pair/narrow/advancement.hpp"
+#include "pair/narrow/sharp_bracket.hpp"
 #include "search/kernels/compress.hpp"
 #include "search/kernels/contact_lanes.hpp"
 #include "search/kernels/load_motion.hpp"
-#include "pair/narrow/advancement.hpp"
-#include "pair/narrow/sharp_bracket.hpp"
 
 namespace tamis::TAMIS_ISA {
 

@@ -1,7 +1,7 @@
 // Computes the sixteen boxes of a leaf block in lanes, from vertices that are gathered by index.
 #pragma once
-#include "search/bvh/block_tree.hpp"
 #include "numbers/lanes.hpp"
+#include "search/bvh/block_tree.hpp"
 
 namespace tamis::TAMIS_ISA {
 

@@ -2,11 +2,11 @@
 #pragma once
 #include <algorithm>
 
+#include "numbers/lanes.hpp"
+#include "pair/motion/time_clip.hpp"
 #include "search/bounds/moving_boxes.hpp"
 #include "search/kernels/kernels.hpp"
 #include "search/kernels/sixteen_lanes.hpp"
-#include "pair/motion/time_clip.hpp"
-#include "numbers/lanes.hpp"
 
 namespace tamis::TAMIS_ISA {
 

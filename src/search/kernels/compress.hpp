@@ -1,9 +1,9 @@
 // Stream compaction: writes the lanes that a mask names to consecutive places, and pairs with their times.
 #pragma once
+#include "numbers/lanes.hpp"
+#include "pair/motion/time_clip.hpp"
 #include "search/kernels/kernels.hpp"
 #include "search/kernels/sixteen_lanes.hpp"
-#include "pair/motion/time_clip.hpp"
-#include "numbers/lanes.hpp"
 
 namespace tamis::TAMIS_ISA {
 

@@ -2,9 +2,9 @@
 #pragma once
 #include <cmath>
 
-#include "search/kernels/kernels.hpp"
 #include "numbers/lanes.hpp"
 #include "numbers/vec.hpp"
+#include "search/kernels/kernels.hpp"
 
 namespace tamis::TAMIS_ISA {
 

@@ -3,11 +3,11 @@
 #include "pair/filters/dnf.hpp"
 #include "pair/filters/ncf.hpp"
 #include "pair/filters/slab_clip.hpp"
+#include "pair/narrow/clipped_crossing.hpp"
 #include "search/kernels/compress.hpp"
 #include "search/kernels/contact_lanes.hpp"
 #include "search/kernels/crossings.hpp"
 #include "search/kernels/load_motion.hpp"
-#include "pair/narrow/clipped_crossing.hpp"
 
 namespace tamis::TAMIS_ISA {
 

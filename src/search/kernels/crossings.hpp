@@ -2,8 +2,8 @@
 #pragma once
 #include <optional>
 
-#include "pair/narrow/crossing.hpp"
 #include "numbers/lanes.hpp"
+#include "pair/narrow/crossing.hpp"
 
 namespace tamis::TAMIS_ISA {
 

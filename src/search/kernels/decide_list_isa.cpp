@@ -1,10 +1,10 @@
 // Decides the pairs of a list in lanes; compiled once for each instruction set. decide() runs the same tests on a pair,
 // in the same order, so that it gives the same bits.
+#include "pair/narrow/clipped_crossing.hpp"
 #include "search/kernels/advance_lanes.hpp"
 #include "search/kernels/crossings.hpp"
 #include "search/kernels/isa_declarations.hpp"
 #include "search/kernels/load_motion.hpp"
-#include "pair/narrow/clipped_crossing.hpp"
 
 namespace tamis::TAMIS_ISA {
 namespace {

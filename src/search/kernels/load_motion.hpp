@@ -1,8 +1,8 @@
 // The motions of several pairs at once, one a lane.
 #pragma once
-#include "search/kernels/load_vertices.hpp"
-#include "pair/motion/pair_motion.hpp"
 #include "numbers/lanes.hpp"
+#include "pair/motion/pair_motion.hpp"
+#include "search/kernels/load_vertices.hpp"
 
 namespace tamis::TAMIS_ISA {
 

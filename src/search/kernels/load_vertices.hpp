@@ -2,10 +2,10 @@
 #pragma once
 #include <array>
 
-#include "search/kernels/kernels.hpp"
-#include "pair/motion/pair_kinds.hpp"
 #include "numbers/lanes.hpp"
 #include "numbers/vec.hpp"
+#include "pair/motion/pair_kinds.hpp"
+#include "search/kernels/kernels.hpp"
 
 namespace tamis::TAMIS_ISA {
 

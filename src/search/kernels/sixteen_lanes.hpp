@@ -1,7 +1,7 @@
 // The sixteen lanes of a block: in batches, and by the bits of a mask.
 #pragma once
-#include "search/bounds/moving_boxes.hpp"
 #include "numbers/lanes.hpp"
+#include "search/bounds/moving_boxes.hpp"
 
 namespace tamis::TAMIS_ISA {
 

@@ -1,8 +1,8 @@
 // Splits the centers of features in two along their longest axis, in lanes, without branches on coordinates.
 #pragma once
+#include "numbers/assert.hpp"
 #include "search/bvh/spatial_order.hpp"
 #include "search/kernels/rank.hpp"
-#include "numbers/assert.hpp"
 
 namespace tamis::TAMIS_ISA {
 

@@ -4,10 +4,10 @@
 #include <tuple>
 #include <utility>
 
+#include "numbers/assert.hpp"
 #include "pair/motion/time_clip.hpp"
 #include "pair/narrow/decide.hpp"
 #include "pair/narrow/sharp_bracket.hpp"
-#include "numbers/assert.hpp"
 #include "search/query/cancellation.hpp"
 #include "search/topology/countable.hpp"
 

@@ -3,8 +3,8 @@
 #pragma once
 #include <vector>
 
-#include "pair/narrow/decide.hpp"
 #include "numbers/held_bytes.hpp"
+#include "pair/narrow/decide.hpp"
 #include "search/query/bound.hpp"
 #include "search/query/first_contact.hpp"
 #include "search/query/query.hpp"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "numbers/assert.hpp"
 #include "pair/motion/make_motion.hpp"
 #include "pair/motion/pair_kinds.hpp"
-#include "numbers/assert.hpp"
 
 namespace tamis {
 

@@ -4,14 +4,14 @@
 #include <cstdint>
 #include <span>
 
-#include "search/bounds/box_frame.hpp"
 #include "pair/motion/separations.hpp"
 #include "pair/narrow/kept_distance.hpp"
+#include "search/bounds/box_frame.hpp"
 #include "search/query/body_pairs.hpp"
+#include "search/topology/rings.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
 #include "tamis/step.hpp"
-#include "search/topology/rings.hpp"
 
 namespace tamis {
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <tuple>
 
-#include "pair/narrow/near_pair.hpp"
 #include "numbers/assert.hpp"
+#include "pair/narrow/near_pair.hpp"
 #include "search/query/pair_vertices.hpp"
 #include "search/query/query.hpp"
 #include "tamis/step_length.hpp"

@@ -7,10 +7,10 @@
 
 #include "numbers/length.hpp"
 #include "numbers/mean_of_most.hpp"
+#include "search/topology/at.hpp"
 #include "tamis/components.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"
-#include "search/topology/at.hpp"
 
 namespace tamis {
 

@@ -4,10 +4,10 @@
 #include <numeric>
 #include <string>
 
-#include "tamis/error.hpp"
 #include "search/topology/at.hpp"
 #include "search/topology/countable.hpp"
 #include "search/topology/rows.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis {
 namespace {

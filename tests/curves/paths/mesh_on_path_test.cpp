@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "paper/detector.hpp"
 #include "curves/paths/counted_path.hpp"
 #include "curves/paths/turning_pairs.hpp"
+#include "paper/detector.hpp"
 #include "scenes/shapes.hpp"
 #include "support/contact_sets.hpp"
 #include "tamis/detector.hpp"

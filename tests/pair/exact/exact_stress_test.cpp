@@ -2,8 +2,8 @@
 // on purpose, and pairs that a fixed plane keeps apart. TAMIS_EXACT_STRESS sets the number of cases of each.
 #include <gtest/gtest.h>
 
-#include "pair/exact/exact.hpp"
 #include "numbers/vec.hpp"
+#include "pair/exact/exact.hpp"
 #include "support/pair_cases.hpp"
 #include "support/test_data.hpp"
 

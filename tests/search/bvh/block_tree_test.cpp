@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "search/kernels/kernels.hpp"
 #include "scenes/scene_list.hpp"
+#include "search/kernels/kernels.hpp"
 #include "tamis/options.hpp"
 
 namespace tamis::test {

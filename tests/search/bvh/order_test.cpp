@@ -6,12 +6,12 @@
 #include <numeric>
 #include <vector>
 
-#include "search/bvh/group_order.hpp"
-#include "search/bvh/order_axes.hpp"
-#include "search/kernels/kernels.hpp"
 #include "scenes/point_math.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
+#include "search/bvh/group_order.hpp"
+#include "search/bvh/order_axes.hpp"
+#include "search/kernels/kernels.hpp"
 
 namespace tamis::test {
 namespace {

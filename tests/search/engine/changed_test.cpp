@@ -1,12 +1,12 @@
 // Questions about what has changed alone: of all pairs that end a step, those with a changed vertex.
 #include <gtest/gtest.h>
 
-#include "search/query/engine.hpp"
-#include "search/query/step_limit.hpp"
 #include "scenes/random.hpp"
 #include "scenes/scene_list.hpp"
-#include "support/test_names.hpp"
+#include "search/query/engine.hpp"
+#include "search/query/step_limit.hpp"
 #include "search/topology/at.hpp"
+#include "support/test_names.hpp"
 
 namespace tamis::test {
 namespace {

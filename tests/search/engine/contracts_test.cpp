@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "search/bounds/shared_motion.hpp"
-#include "search/coherence/pair_lists.hpp"
 #include "api/list_part.hpp"
 #include "api/planar_times.hpp"
-#include "search/query/contact_collector.hpp"
+#include "search/bounds/shared_motion.hpp"
+#include "search/coherence/pair_lists.hpp"
 #include "search/engine/feature_trees.hpp"
 #include "search/engine/pair_buffer.hpp"
+#include "search/query/contact_collector.hpp"
 
 namespace tamis::test {
 namespace {

@@ -10,8 +10,8 @@
 #include <tuple>
 #include <vector>
 
-#include "search/kernels/kernels.hpp"
 #include "scenes/random.hpp"
+#include "search/kernels/kernels.hpp"
 #include "support/guarded.hpp"
 #include "support/kernels_here.hpp"
 #include "tamis/error.hpp"

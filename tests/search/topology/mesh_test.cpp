@@ -9,10 +9,10 @@
 #include <set>
 #include <string>
 
-#include "support/test_names.hpp"
-#include "tamis/error.hpp"
 #include "search/topology/countable.hpp"
 #include "search/topology/mean_edge.hpp"
+#include "support/test_names.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::test {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "curves/paths/callers_path.hpp"
 #include "files/extent.hpp"
 #include "files/view/path_positions.hpp"
 #include "numbers/floating_point_state.hpp"
-#include "curves/paths/callers_path.hpp"
 
 namespace tamis::io {
 namespace {

@@ -3,6 +3,7 @@
 and their geometric mean. Answers that contradict each other are an error.
 
     benchmarks/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --part daily --csv daily.csv
+    benchmarks/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --recorded
     benchmarks/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --cells 'kick*/x3/*' --isa avx2 --repeat 7
     benchmarks/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --sweep 0.8 --limit 60
     benchmarks/matrix/compare.py BUILD/bin/tamis_matrix BUILD/bin/tamis_matrix --threads 1,16 --cells '*-300k/*'
@@ -28,6 +29,8 @@ import subprocess
 import sys
 
 ISAS = ["baseline", "avx2", "avx512"]
+RECORDED = [f"{scene}/x1/{question}/*/d0" for scene in ("cloth-ball", "cloth-funnel", "kick-62-63", "kick-63-64", "kick-64-65", "armadillo-rollers")
+            for question in ("contacts", "earliest", "keep", "truncate", "within")]
 LONG = 0.5  # seconds: a cell that takes longer is asked in at most two turns, whatever --repeat says
 
 
@@ -200,6 +203,7 @@ def arguments():
     parser.add_argument("new")
     parser.add_argument("--part", choices=("night", "daily", "quick"), default="night", help="[night]")
     parser.add_argument("--cells", action="append", metavar="PATTERN", help="only these; may be given again")
+    parser.add_argument("--recorded", action="store_true", help="the recorded steps alone: what the budget counts (CONTRIBUTING, A budget)")
     parser.add_argument("--without", action="append", default=[], metavar="PATTERN", help="not these")
     parser.add_argument("--repeat", type=int, default=3, metavar="N", help="turns a cell [3]")
     parser.add_argument("--sweep", type=float, metavar="RATIO", help="one turn only where no slower than this")
@@ -257,7 +261,7 @@ def main():
     for ending in (signal.SIGINT, signal.SIGTERM):  # the shell sets a background process to ignore SIGINT
         signal.signal(ending, signal.default_int_handler)
     asked = arguments()
-    patterns = asked.cells or ["*"]
+    patterns = RECORDED if asked.recorded else asked.cells or ["*"]
     cells = cells_of_both(asked, patterns)
     cells = [cell for cell in cells if not any(fnmatch.fnmatch(cell, pattern) for pattern in asked.without)]
     if not cells:

@@ -8,10 +8,11 @@
 
 namespace tamis::io {
 
-/// Writes NAME.XXXXXXXX.part beside the final file; `commit` renames it. Without `commit` the old file stays as it was, and
-/// the destructor removes the part. A process that is killed leaves its part behind; nothing ever reads it. The new file
-/// has the permissions of the file it replaces, and its owner as far as the system allows. Symbolic links are followed,
-/// also to a name that no file has yet. A pipe or device is written directly; so is the open file of a descriptor
+/// Writes NAME.XXXXXXXX.part beside the final file; `commit` renames it. Without `commit` the old file stays as it was,
+/// and the destructor removes the part. A process that is killed leaves its part behind; nothing ever reads it. The new
+/// file has the permissions of the file it replaces, and its owner as far as the system allows. Symbolic links are
+/// followed, also to a name that no file has yet. A pipe or device is written directly; so is the open file of a
+/// descriptor
 /// (/dev/stdout, /dev/fd/3), at its end.
 class AtomicFile {
  public:

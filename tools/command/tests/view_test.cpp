@@ -71,9 +71,8 @@ TEST_F(View, TheSameStepGivesTheSameBytes) {
 }
 
 TEST_F(View, OutputsThatCannotBeMadeAreRefusedBeforeTheWork) {
-  expect_refused(
-      "view above.obj below.obj --out step.mp4",
-      "step.mp4: nothing is written as .mp4 here: let the name end in .csv, .html, .glb, .vtp or .vtu");
+  expect_refused("view above.obj below.obj --out step.mp4",
+                 "step.mp4: nothing is written as .mp4 here: let the name end in .csv, .html, .glb, .vtp or .vtu");
   expect_refused("view above.obj below.obj lower.obj --out film.glb", "film.glb: such a file holds one step, not 2");
   expect_refused("view above.obj below.obj --out absent/step.html", "absent/step.html: cannot be written");
   expect_refused("view above.obj --out pose.glb", "pose.glb: such a file holds a step, not a single frame");

@@ -2,8 +2,6 @@
 // decided; they never change the answer.
 #pragma once
 #include <algorithm>
-#include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -13,19 +11,12 @@
 
 namespace tamis {
 
-/// About what a search has cost: for refitting and visiting its trees, and for the pairs whose boxes met.
-struct SearchWork {
-  std::uint64_t trees = 0, pairs = 0;
-};
-
 /// What to list: all pairs that come within their separations on a step although vertices deviate from it.
 struct Listing {
   Step step;
   Separations separations;
-  double deviation = 0;  ///< vertices may be so far, along any axis, from where the step has them
-  float until = 1;       ///< pairs that touch later are not listed
-  /// The most that listing may cost (SearchWork::pairs), beside what the trees cost in any search.
-  std::uint64_t most_work = std::numeric_limits<std::uint64_t>::max();
+  double deviation = 0;                     ///< vertices may be so far, along any axis, from where the step has them
+  float until = 1;                          ///< pairs that touch later are not listed
   std::vector<Point> start = {}, end = {};  ///< the positions of `step`, if it was made for this listing
 };
 

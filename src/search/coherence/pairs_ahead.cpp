@@ -10,17 +10,14 @@
 namespace tamis {
 namespace {
 
-/// How many steps to predict: more after all predicted ones came, fewer after vertices deviated.
-constexpr double kFewestSteps = 4, kFirstSteps = 8, kMostSteps = 32;
+/// How many steps to predict, at least and at most.
+constexpr double kFewestSteps = 4, kMostSteps = 16;
 /// Slack in mean edges: the least, which costs nothing, and the most, which limits how many steps are predicted.
 constexpr double kLeastSlackInEdges = 0x1p-12, kMostSlackInEdges = 0x1p-4;
 /// The largest deviation after one step with which kFewestSteps still need no more than the most slack.
 constexpr double kMostDeviationInEdges = kMostSlackInEdges / (kFewestSteps * kFewestSteps);
 /// Queries that lists must serve to be worth their cost.
 constexpr int kQueriesWorthLists = 2, kQueriesWorthListsOfOneStep = 1;
-/// Free queries in a row before lists are made for is_free: a search ends at a contact, at a fraction of what lists
-/// cost, and the steps after one with a contact often have one too.
-constexpr int kFreeWorthLists = 2;
 constexpr int kFirstPauseInQueries = 2;
 
 /// Rounding of a time of the predicted step to float.
@@ -36,14 +33,14 @@ std::vector<Index> some_of(std::span<const Index> points) {
 }  // namespace
 
 PairsAhead::PairsAhead(const Mesh& mesh)
-    : KeptLists({kFirstPauseInQueries}), mesh_(mesh), sample_(some_of(mesh.points())), steps_(kFirstSteps) {}
+    : KeptLists({kFirstPauseInQueries}), mesh_(mesh), sample_(some_of(mesh.points())) {}
 
 bool PairsAhead::begin(const Query& query) {
   if (!are_listed_ || query.is_piece || query.separations.fixed > separation_) return false;
   if (!follows_prediction(query.step) || when_.t_in > listed_until_) return false;
   // A first contact may lie within the times listed; all contacts need the whole step listed.
   if (query.question == Question::all_contacts && !covers(when_.t_out)) return false;
-  next_.make(query.step, sample_, kFirstSteps);
+  next_.make(query.step, sample_, kMostSteps);
   ++queries_served_;
   return true;
 }
@@ -58,18 +55,20 @@ bool PairsAhead::leaves_undecided(const ContactCollector& answer) const {
 std::optional<Listing> PairsAhead::plan(const Query& query) {
   if (query.is_piece) return {};
   const Step& step = query.step;
-  if (are_listed_) learn();
+  const bool were_worth_it = queries_served_ >= (same_start_ ? kQueriesWorthListsOfOneStep : kQueriesWorthLists);
+  if (are_listed_ && were_worth_it) pause_.lists_were_worth_it();
+  if (are_listed_ && !were_worth_it) pause_.begin();
   forget();
   std::optional<PredictedStep::Fit> fit;
   if (next_.is_made()) {
     edge_ = mean_fine_edge(mesh_, step.start);
     fit = next_.fit(step, kMostDeviationInEdges * edge_);
   }
-  next_.make(step, sample_, kFirstSteps);
+  next_.make(step, sample_, kMostSteps);
   if (!fit) return {};
   same_start_ = fit->start == 0 && fit->deviation <= kLeastSlackInEdges * edge_;
   const bool is_promising =
-      same_start_ ? plan_for_same_start(query.question, kFirstSteps * fit->end) : plan_steps(query.question, *fit);
+      same_start_ ? plan_for_same_start(query.question, kMostSteps * fit->end) : plan_steps(query.question, *fit);
   if (!is_promising) return {};
   if (pause_.left > 0) {
     pause_.tick();
@@ -80,8 +79,7 @@ std::optional<Listing> PairsAhead::plan(const Query& query) {
   separation_ = query.separations.fixed;
   if (!follows_prediction(step)) return {};
   auto [start, end] = predicted_.ends(mesh_.vertex_count());
-  return Listing{{start, end},     query.separations, slack_, listed_until_, most_work(query.question),
-                 std::move(start), std::move(end)};
+  return Listing{{start, end}, query.separations, slack_, listed_until_, std::move(start), std::move(end)};
 }
 
 /// Plans lists for a step from the last query's start in the same direction, `length` times as long. They are for this
@@ -101,22 +99,21 @@ bool PairsAhead::plan_for_same_start(Question question, double length) {
 
 /// Plans lists for several steps that go on as the last one did.
 bool PairsAhead::plan_steps(Question question, const PredictedStep::Fit& fit) {
-  if (question == Question::is_free && free_in_row_ < kFreeWorthLists) return false;
+  // A search for is_free ends at a contact, at a fraction of the cost of lists. The next step often has one, too.
+  if (question == Question::is_free && !(no_contact_before_ && *no_contact_before_ >= 1)) return false;
   steps_listed_ = steps_to_foresee(fit.deviation);
   slack_ = std::max(kLeastSlackInEdges * edge_, steps_listed_ * steps_listed_ * fit.deviation);
   listed_until_ = 1;
   return fit.start > 0 && steps_listed_ >= kFewestSteps;
 }
 
-void PairsAhead::end(const ContactCollector& answer, const SearchWork& work) {
+void PairsAhead::end(const ContactCollector& answer) {
   if (answer.query().is_piece) return;
   const Question question = answer.query().question;
   no_contact_before_ = answer.bound().latest();
   if (question == Question::all_contacts) no_contact_before_ = std::min(*no_contact_before_, answer.touched_by());
   const bool ended_early = question == Question::is_free && !answer.contacts().empty();  // sooner or later, by chance
   if (ended_early) no_contact_before_.reset();
-  free_in_row_ = no_contact_before_ && *no_contact_before_ >= 1 ? free_in_row_ + 1 : 0;
-  if (!are_listed_ && !ended_early) last_search_ = work;
 }
 
 bool PairsAhead::follows_prediction(const Step& step) {
@@ -128,33 +125,7 @@ bool PairsAhead::follows_prediction(const Step& step) {
 
 /// `deviation`: after one step. Under a constant force it grows with the square of the number of steps.
 double PairsAhead::steps_to_foresee(double deviation) const {
-  return std::floor(std::min(steps_, std::sqrt(kMostSlackInEdges * edge_ / deviation)));
-}
-
-/// Adapts the pause and the number of steps to how many queries the lists served.
-void PairsAhead::learn() {
-  if (queries_served_ < (same_start_ ? kQueriesWorthListsOfOneStep : kQueriesWorthLists))
-    pause_.begin();
-  else
-    pause_.lists_were_worth_it();
-  if (same_start_) return;
-  const bool have_all_come = queries_served_ + 1 >= steps_listed_;
-  steps_ = have_all_come ? std::min(2 * steps_, kMostSteps) : std::max(steps_ / 2, kFewestSteps);
-}
-
-/// For is_free the work of as many searches as were free in a row, so that lists cost no more than twice what is best
-/// in hindsight; more where more steps are predicted, since then all predicted steps came before. No limit for the
-/// other questions, which search every step to its end: lists that cost as much as several searches have paid there
-/// (docs/history/performance.md, "Lists that cost too much").
-std::uint64_t PairsAhead::most_work(Question question) const {
-  if (question != Question::is_free) return std::numeric_limits<std::uint64_t>::max();
-  const auto searches = std::max<std::uint64_t>(kFreeWorthLists, static_cast<std::uint64_t>(steps_listed_) / 4);
-  return (searches - 1) * last_search_.trees + searches * last_search_.pairs;
-}
-
-void PairsAhead::end_listing(bool is_complete) {
-  KeptLists::end_listing(is_complete);
-  if (!is_complete) steps_ = std::max(steps_ / 2, kFewestSteps);
+  return std::floor(std::min(kMostSteps, std::sqrt(kMostSlackInEdges * edge_ / deviation)));
 }
 
 }  // namespace tamis

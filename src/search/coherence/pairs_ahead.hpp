@@ -23,11 +23,10 @@ class PairsAhead final : public KeptLists {
   bool leaves_undecided(const ContactCollector& answer) const;
   /// Lists are worth making if the query goes on as the last one did: the pairs of the step that is predicted then.
   std::optional<Listing> plan(const Query& query) override;
-  void end_listing(bool is_complete) override;
   /// The times of the predicted step that this query covers.
   const TimeInterval<float>& when() const { return when_; }
   /// Learns from a query that has been answered.
-  void end(const ContactCollector& answer, const SearchWork& work);
+  void end(const ContactCollector& answer);
   std::uint64_t memory_bytes() const { return held_bytes(lists_, next_, predicted_, sample_); }
 
  private:
@@ -37,9 +36,7 @@ class PairsAhead final : public KeptLists {
   bool covers(float time) const { return listed_until_ == 1 || time <= listed_until_; }
   /// Does the step follow the predicted one within the slack? Sets when_.
   bool follows_prediction(const Step& step);
-  void learn();
   double steps_to_foresee(double deviation) const;
-  std::uint64_t most_work(Question question) const;
 
   const Mesh& mesh_;
   std::vector<Index> sample_;  ///< some vertices in use
@@ -52,11 +49,8 @@ class PairsAhead final : public KeptLists {
   bool same_start_ = false;  ///< the lists are for one step, whose start is that of the query before
   float listed_until_ = 1;   ///< pairs are listed until this time of the predicted step
   std::optional<double> no_contact_before_ =
-      1;                 ///< the last query's step is free until then, 1: to its end; nothing: unknown
-  int free_in_row_ = 0;  ///< queries in a row without any contact
-  double steps_;         ///< how many to predict
+      1;  ///< the last query's step is free until then, 1: to its end; nothing: unknown
   double steps_listed_ = 0;
-  SearchWork last_search_;  ///< of the last search of the trees that was not ended early
   int queries_served_ = 0;  ///< how many queries these lists have served
 };
 

@@ -10,18 +10,14 @@ void CandidateConsumer::begin(CandidateQuery& shared) {
   release();  // an exception may have left pairs of another query
 }
 
-/// The slab clip, then DNF if contact means a crossing; otherwise axes that turn with the pair, as DNF proves no
-/// distance.
+/// The slab clip, then axes that turn with the pair. The trees' separation holds twice the deviation.
 void CandidateConsumer::consume(PairKind kind) {
   PairBuffer &boxes = thread().boxes, &clipped = thread().clipped, &filtered = thread().filtered;
   const MotionView motion = thread().motion.view();
   const PairKernels& stages = thread().kernels.of(kind);
   leave_out_groups(query().filter, kind, boxes);
   stages.slab(motion, boxes, clipped);
-  if (can_cross(kind) && !query().separations.any())
-    stages.filter_deviating(motion, shared_->deviation, clipped, filtered);
-  else
-    stages.cull_apart(motion, clipped, filtered);
+  stages.cull_apart(motion, clipped, filtered);
   SearchCounts& counts = thread().counts;
   of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts.apart, kind) += static_cast<std::uint64_t>(clipped.count);
@@ -34,7 +30,7 @@ bool CandidateSearch::list(const Query& query, const Listing& listing, PairLists
   FeatureTrees& trees = workspace_.trees;
   const std::int64_t most = kMostPairsPerBlock * trees.leaf_blocks();
   const Query listed{listing.step, listing.separations, query.filter, query.rings, query.is_cancelled};
-  CandidateQuery asked{listed, listing.deviation, most};
+  CandidateQuery asked{listed, most};
   Separations separations = listing.separations;
   separations.fixed += 2 * listing.deviation;
   trees.refit_for(listing.step, separations, nullptr);
@@ -44,9 +40,7 @@ bool CandidateSearch::list(const Query& query, const Listing& listing, PairLists
     streams_.search_trees(sample, listing.until);
     streams_.for_each([&](CandidateConsumer& consumer) { lists.take(consumer.candidates()); });
     part += 1.0 / sample.stride;
-    const double work = static_cast<double>(streams_.counts().work(0).pairs);
-    if (static_cast<double>(most - asked.pairs_left) > (part + kSmallestPart) * static_cast<double>(most) ||
-        work > (part + kPartToTry) * static_cast<double>(listing.most_work))
+    if (static_cast<double>(most - asked.pairs_left) > (part + kSmallestPart) * static_cast<double>(most))
       asked.bound.settle();
   }
   streams_.for_each([](CandidateConsumer& consumer) { consumer.release(); });

@@ -13,7 +13,6 @@ namespace tamis {
 /// What the threads share.
 struct CandidateQuery {
   const Query& query;
-  double deviation;                      ///< as in Listing
   std::atomic<std::int64_t> pairs_left;  ///< how many more may be listed
   Bound bound = {};                      ///< settled: the listing is given up
 };
@@ -47,8 +46,8 @@ class CandidateSearch {
   explicit CandidateSearch(Workspace& workspace) : workspace_(workspace), streams_(workspace) {}
 
   /// Adds to `lists`, in no order, the pairs of the listing; filter, rings and cancellation are the query's. Returns
-  /// false if some are missing: there are more than kMostPairsPerBlock times the blocks, or they cost too much, or the
-  /// first samples suggest that. Leaves the trees refitted to the listing's step.
+  /// false if some are missing: there are more than kMostPairsPerBlock times the blocks, or the first samples suggest
+  /// it. Leaves the trees refitted to the listing's step.
   bool list(const Query& query, const Listing& listing, PairLists& lists, Statistics& statistics);
   /// Prepares lists or trees for a query. Returns true if the lists are to be asked: the vertices of this step are then
   /// loaded, if the lists hold any pair. Returns false if the trees must be searched, which are then of this step.
@@ -59,9 +58,8 @@ class CandidateSearch {
  private:
   /// The lists hold at most this many pairs for each leaf block.
   static constexpr std::int64_t kMostPairsPerBlock = 256;
-  /// Samples are uneven: those searched so far may exceed their share of the pairs, and of the work, by these parts of
-  /// the most.
-  static constexpr double kSmallestPart = 1.0 / 64, kPartToTry = 0.25;
+  /// Samples are uneven: the first ones may exceed their share of the pairs by this part of the most.
+  static constexpr double kSmallestPart = 1.0 / 64;
 
   Workspace& workspace_;
   ThreadStreams<CandidateConsumer> streams_;

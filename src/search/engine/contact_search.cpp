@@ -26,13 +26,11 @@ void ContactSearch::find(const Query& query, ContactCollector& answer, Statistic
     trees.refit_or_rebuild(query.step, query.separations, query.frame, looks_at, statistics);
   if (is_undecided) search_trees(answer);
   using Counts = SearchCounts;
-  const Counts counts =
-      query.separations.any()
-          ? streams_.report(statistics, watch.seconds(),
-                            {&Counts::boxes, &Counts::slab, &Counts::apart, &Counts::solve})
-          : streams_.report(statistics, watch.seconds(),
-                            {&Counts::boxes, &Counts::slab, &Counts::dnf, &Counts::ncf, &Counts::solve});
-  ahead_.end(answer, counts.work(trees.leaf_blocks()));
+  query.separations.any()
+      ? streams_.report(statistics, watch.seconds(), {&Counts::boxes, &Counts::slab, &Counts::apart, &Counts::solve})
+      : streams_.report(statistics, watch.seconds(),
+                        {&Counts::boxes, &Counts::slab, &Counts::dnf, &Counts::ncf, &Counts::solve});
+  ahead_.end(answer);
 }
 
 void ContactSearch::search_lists(ContactCollector& answer) {

@@ -14,13 +14,6 @@ struct SearchCounts {
   std::uint64_t nodes_visited = 0;
   double traverse = 0, filter = 0, solving = 0;  ///< seconds
 
-  /// The work of the search and of refitting so many leaf blocks, in units of a pair whose boxes meet. The weights were
-  /// measured (docs/history/performance.md, "Lists that cost too much"); no answer depends on them.
-  SearchWork work(int leaf_blocks) const {
-    constexpr std::uint64_t kRefitOfBlock = 12, kNode = 5, kClippedPair = 9;
-    return {kRefitOfBlock * static_cast<std::uint64_t>(leaf_blocks) + kNode * nodes_visited,
-            total(boxes) + kClippedPair * (total(dnf) + total(apart))};
-  }
   SearchCounts& operator+=(const SearchCounts& other);
   /// Adds the counts to `statistics`, beside those of earlier passes. `wall`: wall-clock seconds of this pass, which
   /// are shared out in proportion. `stages`: those of the question, in order.

@@ -42,19 +42,6 @@ int filter(const MotionView& motion, const PairBuffer& in, PairBuffer& out) {
   return ncf_count;
 }
 
-template <PairKind kind>
-void filter_deviating(const MotionView& motion, double deviation, const PairBuffer& in, PairBuffer& out) {
-  out.count = 0;
-  for (int first = 0; first < in.count; first += kDoubleLanes) {
-    const auto time = load_time<DoubleLanes>(in, first);
-    // The deviation is loaded as a separation, which is scaled with the motion.
-    const auto whole = load_motion<kind>(motion.vertices, in, first, {deviation, false});
-    const auto m = restrict_to(whole, time.t_in, time.t_out);
-    const auto free = Dnf::proves_free_though_deviating<kind>(m, whole.separation);
-    for_each_bit(lanes_in_use(in, first) & ~bits(free), [&](int lane) { copy_pair(in, first + lane, out); });
-  }
-}
-
 /// Writes the lanes of `left` to `out`; `pairs` names each lane's pair. Returns the new number of entries.
 inline int write_solved(const Crossing<DoubleLanes>& crossing, const TimeInterval<DoubleLanes>& part, unsigned left,
                         const std::int32_t* pairs, SolvedPair* out, int count) {

@@ -118,12 +118,9 @@ struct PairKernels {
   void (*may_end_step)(const MotionView& motion, const KeepRule& rule, PairBuffer& pairs, PairBuffer& out) = nullptr;
   /// Slab clip: culls pairs that stay farther apart than their separation. The others go to `out`, with the times left.
   void (*slab)(const MotionView& motion, const PairBuffer& in, PairBuffer& out) = nullptr;
-  /// DNF, then NCF, on each pair's times. Returns how many pairs DNF left to NCF. For kinds that can cross, as the next
-  /// two.
+  /// DNF, then NCF, on each pair's times. Returns how many pairs DNF left to NCF. For kinds that can cross, as the
+  /// next.
   int (*filter)(const MotionView& motion, const PairBuffer& in, PairBuffer& out) = nullptr;
-  /// DNF for deviating motions: culls pairs that cannot touch while no vertex is farther than `deviation`, along any
-  /// axis, from where the motion has it.
-  void (*filter_deviating)(const MotionView& motion, double deviation, const PairBuffer& in, PairBuffer& out) = nullptr;
   /// Roots and inside test. Writes the pairs that touch or are undecided, returns their number; `rest` is scratch.
   int (*solve)(const MotionView& motion, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) = nullptr;
   /// Culls pairs that are proven farther apart than their separation during their times: by one axis that turns with

@@ -42,7 +42,6 @@ constexpr PairKernels kernels_of() {
   if constexpr (can_cross(kind)) {
     kernels.may_end_step = may_end_step<kind>;
     kernels.filter = filter<kind>;
-    kernels.filter_deviating = filter_deviating<kind>;
     kernels.solve = solve<kind>;
   }
   return kernels;

@@ -131,22 +131,5 @@ TEST(PairsAheadInALayer, AreGivenUpWhereAllIsNearAll) {
   }
 }
 
-// Bug: lists for steps that sweep over much cost a dozen searches, where the questions that they serve soon end early.
-TEST(PairsAheadOfCloth, AreMadeForIsFreeWhereTheyCostNoMoreThanTwoSearches) {
-  const Scene scene = scenes::scene_by_name("folded-cloth", 1000, 3);
-  const auto is_fourth_listed = [&](double length, Asked asked) {  // backwards: its layers part
-    Detector kept(scene.mesh());
-    for (int i = 0; i < 4; ++i) {
-      const auto start = between(scene.start, scene.end, -i * length);
-      const auto end = between(scene.start, scene.end, -(i + 1) * length);
-      expect_as_new(kept, {start, end}, asked, std::to_string(i));
-    }
-    return was_listed(kept);
-  };
-  EXPECT_TRUE(is_fourth_listed(0.01, Asked::is_free));
-  EXPECT_FALSE(is_fourth_listed(0.3, Asked::is_free));
-  EXPECT_TRUE(is_fourth_listed(0.3, Asked::contacts));
-}
-
 }  // namespace
 }  // namespace tamis::test

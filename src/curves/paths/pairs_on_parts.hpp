@@ -46,8 +46,8 @@ class PairsOnParts {
   };
   struct Scratch {
     PairBuffer pairs;
-    WithinScratch within;
-    std::array<SolvedPair, PairBuffer::kCapacity> solved;
+    DecisionScratch scratch;
+    LaneDecisions decisions;
   };
 
   /// `from` and `to` are moments of `vertices`, which hold those of these pairs, and maybe others.

@@ -71,7 +71,7 @@ void add_stages(const Workload& work, PairKind kind) {
   struct Scratch {
     PairBuffer out;
     DecisionScratch scratch;
-    LaneDecisions decisions;
+    DecisionRoom<PairBuffer::kCapacity> room;
   };
   const auto scratch = std::make_shared<Scratch>();
   const PairKernels& k = work.kernels().of(kind);
@@ -88,8 +88,10 @@ void add_stages(const Workload& work, PairKind kind) {
     scratch->out.count = 0;
     filter(motion, in, scratch->out);
   });
-  add_stage(work, "decide_in_lanes_" + name(kind), inputs.solve,
-            [=](const PairBuffer& in) { decide(motion, 1, in, scratch->scratch, scratch->decisions); });
+  add_stage(work, "decide_in_lanes_" + name(kind), inputs.solve, [=](const PairBuffer& in) {
+    LaneDecisions decisions = scratch->room.lists();
+    decide(motion, 1, in, scratch->scratch, decisions);
+  });
 }
 
 void add_filters(const Workload& work, PairKind kind) {

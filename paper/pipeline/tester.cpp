@@ -7,9 +7,9 @@
 #include "paper/pairs.hpp"
 #include "paper/pipeline/interval_newton.hpp"
 #include "search/query/cancellation.hpp"
-#include "search/query/recontact.hpp"
 #include "search/query/stage_counts.hpp"
 #include "search/query/stopwatch.hpp"
+#include "search/query/what_counts.hpp"
 #include "search/topology/at.hpp"
 
 namespace tamis::lab {

@@ -53,8 +53,8 @@ struct Detector::State {
   SafeStep safe_step(const CutPath& path, double keep, const QueryOptions& asked);
   TruncatedStep truncate(const Step& step, double keep, const QueryOptions& asked, Stored stored);
   const std::vector<NearPair>& find_near(const Positions& positions, double distance);
-  /// All intersections, or for `is_free` some, if there are any. `by_accepts`: only those that `accepts` of the options'
-  /// filter accepts, which is called with a vertex of the edge, and the face.
+  /// All intersections, or for `is_free` some, if there are any. `by_accepts`: only those that `accepts` of the
+  /// options' filter accepts, which is called with a vertex of the edge, and the face.
   const std::vector<Intersection>& find_intersections(const Positions& positions, Question question,
                                                       bool by_accepts = false);
 
@@ -110,7 +110,7 @@ struct Detector::State {
   Bound bound_;  ///< of the contacts in `found`
   std::vector<NearPair> near_;
   std::vector<Intersection> intersections_;
-  std::vector<double> radii_;  ///< of the vertices; empty: all zero
+  std::vector<double> radii_;      ///< of the vertices; empty: all zero
   std::optional<BoxFrame> frame_;  ///< of the whole scene, if the mesh is a part of it
   std::unique_ptr<Engine> engine_;
   ContactSorter sorter_;

@@ -27,6 +27,7 @@ struct Batch {
 
   PairBuffer pairs;
   std::int32_t places[kPairsPerBatch];  ///< of the pairs in the list
+  DecisionRoom<kPairsPerBatch> room;
 };
 
 class PartDecision {
@@ -67,7 +68,7 @@ class PartDecision {
     TAMIS_ASSERT(batch.pairs.count <= Batch::kPairsPerBatch);
     const auto& [start, end] = part_.step;
     const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
-    LaneDecisions& decisions = *decisions_;
+    LaneDecisions decisions = batch.room.lists();
     part_.kernels.of(kind).decide_rows(vertices, part_.options.min_separation, part_.options.latest, batch.pairs,
                                        *scratch_, decisions);
     for (int i = 0; i < batch.pairs.count; ++i) results_[batch.places[i]] = {};
@@ -92,7 +93,6 @@ class PartDecision {
   PairResult* results_;
   std::unique_ptr<Batch> batches_[kPairKinds];
   const std::unique_ptr<DecisionScratch> scratch_ = std::make_unique_for_overwrite<DecisionScratch>();
-  const std::unique_ptr<LaneDecisions> decisions_ = std::make_unique_for_overwrite<LaneDecisions>();
 };
 
 }  // namespace

@@ -47,7 +47,7 @@ class PairsOnParts {
   struct Scratch {
     PairBuffer pairs;
     DecisionScratch scratch;
-    LaneDecisions decisions;
+    DecisionRoom<PairBuffer::kCapacity> decisions;
   };
 
   /// `from` and `to` are moments of `vertices`, which hold those of these pairs, and maybe others.

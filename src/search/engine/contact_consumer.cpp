@@ -6,7 +6,7 @@
 #include "search/engine/pair_buffer.hpp"
 #include "search/engine/stages.hpp"
 #include "search/query/cancellation.hpp"
-#include "search/query/recontact.hpp"
+#include "search/query/what_counts.hpp"
 
 namespace tamis {
 
@@ -16,7 +16,7 @@ void ContactConsumer::consume(PairKind kind, PairBuffer& pairs) {
   const bool by_distance = thread().motion.separations.any() || !can_cross(kind);
   const PairBuffer& left =
       by_distance ? filter_apart(thread(), kind, stages, pairs) : filter_crossings(thread(), kind, stages, pairs);
-  const LaneDecisions& decisions = decide_in_lanes(thread(), stages, latest(), left);
+  const LaneDecisions decisions = decide_in_lanes(thread(), stages, latest(), left);
   for (const TouchingPair& pair : touching(decisions)) add(kind, vertices_of(kind, left, pair.pair), {pair.result});
   decide_left(kind, left, undecided(decisions));
 }

@@ -31,7 +31,7 @@ void IntersectionConsumer::consume(PairKind kind, PairBuffer& pairs) {
   else
     leave_out_groups(query().filter, kind, pairs);
   const PairBuffer& left = filter_crossings(thread(), kind, stages, pairs);
-  const LaneDecisions& decisions = decide_in_lanes(thread(), stages, 1, left);
+  const LaneDecisions decisions = decide_in_lanes(thread(), stages, 1, left);
   for (const TouchingPair& pair : touching(decisions)) add(left, pair.pair, pair.result);
   decide_left(left, undecided(decisions));
 }

@@ -35,10 +35,9 @@ const PairBuffer& filter_apart(SearchThread& thread, PairKind kind, const PairKe
   return left;
 }
 
-const LaneDecisions& decide_in_lanes(SearchThread& thread, const PairKernels& stages, double latest,
-                                     const PairBuffer& pairs) {
+LaneDecisions decide_in_lanes(SearchThread& thread, const PairKernels& stages, double latest, const PairBuffer& pairs) {
   TAMIS_ASSERT(0 <= pairs.count && pairs.count <= PairBuffer::kCapacity);
-  LaneDecisions& decisions = thread.decisions();
+  LaneDecisions decisions = thread.decision_lists();
   stages.decide(thread.motion.view(), latest, pairs, thread.decision_scratch(), decisions);
   thread.counts.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - decisions.undecided_count);
   return decisions;

@@ -19,15 +19,14 @@ const PairBuffer& filter_crossings(SearchThread& thread, PairKind kind, const Pa
 const PairBuffer& filter_apart(SearchThread& thread, PairKind kind, const PairKernels& stages, const PairBuffer& pairs);
 
 /// Decides pairs in lanes. Pairs whose contact begins after `latest` count as free.
-const LaneDecisions& decide_in_lanes(SearchThread& thread, const PairKernels& stages, double latest,
-                                     const PairBuffer& pairs);
+LaneDecisions decide_in_lanes(SearchThread& thread, const PairKernels& stages, double latest, const PairBuffer& pairs);
 
 /// The pairs that lanes left to decide(): their places in the buffer.
 inline std::span<const std::int32_t> undecided(const LaneDecisions& decisions) {
-  return std::span(decisions.undecided).first(static_cast<std::size_t>(decisions.undecided_count));
+  return {decisions.undecided, static_cast<std::size_t>(decisions.undecided_count)};
 }
 inline std::span<const TouchingPair> touching(const LaneDecisions& decisions) {
-  return std::span(decisions.touching).first(static_cast<std::size_t>(decisions.touching_count));
+  return {decisions.touching, static_cast<std::size_t>(decisions.touching_count)};
 }
 
 /// Calls add(place, DecidedPair) for the pairs at these places that wants(place), each decided by decide(place,

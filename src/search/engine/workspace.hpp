@@ -22,17 +22,16 @@ struct SearchThread {
   SearchThread(const Kernels& k, const PackedMotion& m) : kernels(k), motion(m) {}
 
   /// Allocated when first used.
-  LaneDecisions& decisions() {
-    if (!decisions_) decisions_ = std::make_unique_for_overwrite<LaneDecisions>();
-    return *decisions_;
+  LaneDecisions decision_lists() {
+    if (!room_) room_ = std::make_unique_for_overwrite<Room>();
+    return room_->lists();
   }
   DecisionScratch& decision_scratch() {
     if (!scratch_) scratch_ = std::make_unique_for_overwrite<DecisionScratch>();
     return *scratch_;
   }
   std::uint64_t memory_bytes() const {
-    return sizeof(*this) + held_bytes(singly) + (decisions_ ? sizeof(LaneDecisions) : 0) +
-           (scratch_ ? sizeof(DecisionScratch) : 0);
+    return sizeof(*this) + held_bytes(singly) + (room_ ? sizeof(Room) : 0) + (scratch_ ? sizeof(DecisionScratch) : 0);
   }
 
   const Kernels& kernels;
@@ -44,7 +43,8 @@ struct SearchThread {
   Stopwatch watch;  ///< runs since seconds were last added to the counts
 
  private:
-  std::unique_ptr<LaneDecisions> decisions_;
+  using Room = DecisionRoom<PairBuffer::kCapacity>;
+  std::unique_ptr<Room> room_;
   std::unique_ptr<DecisionScratch> scratch_;
 };
 

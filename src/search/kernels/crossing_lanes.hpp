@@ -40,7 +40,8 @@ class CrossingLanes {
   Batch make_batch(const PairBuffer& pairs, int first) const {
     const auto m = load_motion<kind, course>(vertices_, pairs, first);
     const auto clip = SlabClip::clip<kind, axes>(m, TimeInterval<Lanes>{Lanes(0), Lanes(1)});
-    const unsigned finite = finite_lanes(m), free = finite & bits((clip.t_in > clip.t_out) | (clip.t_in > Lanes(latest_)));
+    const unsigned finite = finite_lanes(m),
+                   free = finite & bits((clip.t_in > clip.t_out) | (clip.t_in > Lanes(latest_)));
     const unsigned fit = finite & ~bits((clip.t_in == Lanes(0)) & may_start_coplanar(m));
     const unsigned lanes = lanes_in_use(pairs, first) & ~free;
     return {first, lanes & fit, lanes & ~fit, m, clip, widened(clip)};
@@ -91,8 +92,7 @@ class CrossingLanes {
     const unsigned not_free = batch.fit & ~bits(c.is_free), touches = not_free & bits(c.touches);
     if (const unsigned in_time = touches & ~bits(c.lower > Lanes(latest_))) {
       const ContactLanes contacts(c.lower, c.upper, c.u, c.v, c.normal);
-      for_each_bit(in_time,
-                   [&](int i) { out_.touching[out_.touching_count++] = {places[i], contacts.result(i)}; });
+      for_each_bit(in_time, [&](int i) { out_.touching[out_.touching_count++] = {places[i], contacts.result(i)}; });
     }
     return not_free & ~touches;
   }

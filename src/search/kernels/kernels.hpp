@@ -32,11 +32,21 @@ struct TouchingPair {
   PairResult result;
 };
 
-/// What lanes found of the pairs of a buffer. A pair in neither list is proven free.
+/// What lanes found of the pairs of a buffer. A pair in neither list is proven free. REQUIRES (not checked: lanes): in
+/// each list room for as many pairs as the buffer has.
 struct LaneDecisions {
+  TouchingPair* touching;
+  std::int32_t* undecided;  ///< places in the buffer of the pairs that are left to decide()
   int touching_count = 0, undecided_count = 0;
-  TouchingPair touching[PairBuffer::kCapacity];
-  std::int32_t undecided[PairBuffer::kCapacity];  ///< places in the buffer of the pairs that are left to decide()
+};
+
+/// Room for the decisions on so many pairs.
+template <int pairs>
+struct DecisionRoom {
+  LaneDecisions lists() { return {touching, undecided}; }
+
+  TouchingPair touching[pairs];
+  std::int32_t undecided[pairs];
 };
 
 /// Pairs that advance towards the time at which they come within their separation (pair/narrow/advancement.hpp): proven
@@ -115,7 +125,8 @@ struct PairKernels {
   void (*may_end_step)(const MotionView& motion, const KeepRule& rule, PairBuffer& pairs, PairBuffer& out) = nullptr;
   /// Slab clip: culls pairs that stay farther apart than their separation. The others go to `out`, with the times left.
   void (*slab)(const MotionView& motion, const PairBuffer& in, PairBuffer& out) = nullptr;
-  /// DNF, then NCF, on each pair's times. Returns how many pairs DNF left to NCF. For kinds that can cross, as the next.
+  /// DNF, then NCF, on each pair's times. Returns how many pairs DNF left to NCF. For kinds that can cross, as the
+  /// next.
   int (*filter)(const MotionView& motion, const PairBuffer& in, PairBuffer& out) = nullptr;
   /// DNF for deviating motions: culls pairs that cannot touch while no vertex is farther than `deviation`, along any
   /// axis, from where the motion has it.

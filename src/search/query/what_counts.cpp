@@ -1,4 +1,4 @@
-#include "search/query/recontact.hpp"
+#include "search/query/what_counts.hpp"
 
 #include "pair/narrow/decide.hpp"
 

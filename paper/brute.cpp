@@ -11,6 +11,7 @@
 #include "search/query/pair_vertices.hpp"
 #include "search/query/proximity_order.hpp"
 #include "search/query/stage_counts.hpp"
+#include "search/query/what_counts.hpp"
 
 namespace tamis::lab {
 namespace {
@@ -25,8 +26,9 @@ class BruteEngine final : public Engine {
       stop_if_cancelled(query);
       if (!answer.wants(kind, v)) return;
       ++of(count, kind);
-      answer.add(kind, v,
-                 decide({kind, points_of(query.step, v), query.separations.between(kind, v)}, statistics.decided_by));
+      const PairPoints points = points_of(query.step, v);
+      const PairResult result = decide({kind, points, query.separations.between(kind, v)}, statistics.decided_by);
+      add_what_counts(answer, kind, v, result, statistics.decided_by);
     });
     add(statistics.stages, count);
   }

@@ -69,15 +69,16 @@ void add_stage(const Workload& work, const std::string& what, const Buffers& buf
 
 void add_stages(const Workload& work, PairKind kind) {
   struct Scratch {
-    PairBuffer out, rest;
-    SolvedPair solved[PairBuffer::kCapacity];
+    PairBuffer out;
+    DecisionScratch scratch;
+    DecisionRoom<PairBuffer::kCapacity> room;
   };
   const auto scratch = std::make_shared<Scratch>();
   const PairKernels& k = work.kernels().of(kind);
   const MotionView motion = work.motion().view();
   const auto slab = k.slab;
   const auto filter = k.filter;
-  const auto solve = k.solve;
+  const auto decide = k.decide;
   const StageInputs& inputs = work.inputs(kind);
   add_stage(work, "slab_" + name(kind), inputs.slab, [=](const PairBuffer& in) {
     scratch->out.count = 0;
@@ -87,8 +88,10 @@ void add_stages(const Workload& work, PairKind kind) {
     scratch->out.count = 0;
     filter(motion, in, scratch->out);
   });
-  add_stage(work, "solve_in_lanes_" + name(kind), inputs.solve,
-            [=](const PairBuffer& in) { benchmark::DoNotOptimize(solve(motion, in, scratch->rest, scratch->solved)); });
+  add_stage(work, "decide_in_lanes_" + name(kind), inputs.solve, [=](const PairBuffer& in) {
+    LaneDecisions decisions = scratch->room.lists();
+    decide(motion, 1, in, scratch->scratch, decisions);
+  });
 }
 
 void add_filters(const Workload& work, PairKind kind) {

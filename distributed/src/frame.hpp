@@ -1,5 +1,5 @@
-// The frame of the whole scene, which all ranks find together. The boxes of every search are floats in it, and so the
-// last bits of contacts depend on it (docs/numerics/one-pair.md, "Boxes").
+// The frame of the whole scene, which all ranks find together. The boxes of every search are floats in it
+// (docs/numerics/one-pair.md, "Boxes").
 #pragma once
 #include "distributed/src/communicator.hpp"
 #include "distributed/src/input_part.hpp"

@@ -1,5 +1,5 @@
-// The frame in which boxes are floats follows the whole scene, and the last bits of contacts depend on it: ranks whose
-// parts are near to each other must have the frame of the scene, wherever the rest of it is.
+// The frame in which boxes are floats follows the whole scene. No answer may depend on it, wherever the rest of the
+// scene is.
 #include <gtest/gtest.h>
 
 #include "distributed/tests/same_answers.hpp"

@@ -44,8 +44,8 @@ class Detector {
   std::vector<Contact> contacts(const Step& step, const QueryOptions& asked = {}) && { return contacts(step, asked); }
   /// Puts the same contacts into the caller's vector, without a copy: swaps its memory with the detector's.
   void contacts(const Step& step, std::vector<Contact>& result, const QueryOptions& = {});
-  /// The first contact: how far the step may go (`truncate` returns the positions to go to). Its bracket may differ
-  /// from that of contacts() in the last digits: both are proven.
+  /// The first contact: how far the step may go (`truncate` returns the positions to go to). It has the bits that
+  /// contacts() returns for it. Where 64 pairs or more touch at one time, toi_lower may be a little earlier.
   EarliestContact earliest(const Step& step, const QueryOptions& = {});
   /// Is the whole step free of contacts?
   bool is_free(const Step& step, const QueryOptions& = {});

@@ -9,6 +9,7 @@
 #include "search/query/cancellation.hpp"
 #include "search/query/stage_counts.hpp"
 #include "search/query/stopwatch.hpp"
+#include "search/query/what_counts.hpp"
 #include "search/topology/at.hpp"
 
 namespace tamis::lab {
@@ -71,7 +72,7 @@ void PaperTester::add_loose(Index a, Index b) {
   ++of(counts.decide, kind);
   const auto r =
       decide({kind, points_of(found.query().step, v), found.query().separations.between(kind, v)}, counts.decided_by);
-  if (!found.add(kind, v, r)) return;
+  if (!add_what_counts(found, kind, v, r, counts.decided_by)) return;
   if (found.query().question == Question::all_contacts) features.push_back({a, b});
 }
 
@@ -148,7 +149,7 @@ void PaperTester::solve(const Block<kind>& block, std::size_t pair) {
   stop_if_cancelled(scene_.options);
   if (!found.wants(kind, block.vertices[pair])) return;
   const PairResult r = result_of(block, pair);
-  if (!found.add(kind, block.vertices[pair], r)) return;
+  if (!add_what_counts(found, kind, block.vertices[pair], r, counts.decided_by)) return;
   if (found.query().question == Question::all_contacts) features.push_back(block.features[pair]);
 }
 

@@ -48,10 +48,9 @@ Detector::State::State(Mesh m, Options o, const MakeEngine& make_engine)
       radii_(radii_of(options, mesh)),
       engine_(make_engine(mesh, options)) {}
 
-void Detector::State::serve_world(std::vector<double> radii) {
+void Detector::State::set_radii(std::vector<double> radii) {
   TAMIS_ASSERT(radii.size() == static_cast<std::size_t>(mesh.vertex_count()) && options.radii.empty());
   radii_ = are_zero(radii) ? std::vector<double>() : std::move(radii);
-  serves_world_ = true;
 }
 
 Separations Detector::State::separations(double fixed) const {
@@ -97,7 +96,6 @@ EarliestContact Detector::State::find(const Query& query) {
     else if (query.question == Question::earliest)
       first = found.first();
     sort_found();
-    statistics.decided_by += found.decided_by();
     statistics.ignored = found.ignored();
   });
   return first;
@@ -112,8 +110,7 @@ void Detector::State::refuse_start(const Query& query, const Contact& touching) 
 
 EarliestContact Detector::State::find(const Step& step, const QueryOptions& asked, Question question,
                                       const BodyPairs* each_of) {
-  Query whole = validated_query(step, asked, question, each_of);
-  whole.depends_on_pair_alone = serves_world_ && (question == Question::all_contacts || each_of);
+  const Query whole = validated_query(step, asked, question, each_of);
   const EarliestContact first = find(whole);
   if (asked.at_start != AtStart::fail) return first;
   if (first.contact && first.toi_upper == 0) refuse_start(whole, *first.contact);
@@ -175,10 +172,11 @@ const std::vector<NearPair>& Detector::State::find_near(const Positions& positio
   return near_;
 }
 
-const std::vector<Intersection>& Detector::State::find_intersections(const Positions& positions, Question question) {
+const std::vector<Intersection>& Detector::State::find_intersections(const Positions& positions, Question question,
+                                                                     bool by_accepts) {
   in_arena_if_long([&] { validate(positions, mesh, "the pose"); });
   Query asked = query({positions, positions}, {}, question);
-  asked.depends_on_pair_alone = serves_world_;
+  asked.accepts_intersections = by_accepts;
   measure([&] { engine_->find_intersections(asked, intersections_, statistics); });
   return intersections_;
 }

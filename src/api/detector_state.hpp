@@ -19,10 +19,9 @@ namespace tamis {
 
 struct Detector::State {
   State(Mesh m, Options o, const MakeEngine& make_engine);
-  /// To be called for a world's mesh before the first question. Sets the vertices' radii without groups, and makes each
-  /// contact and intersection depend on its pair alone (Query::depends_on_pair_alone). REQUIRES: a radius for each
-  /// vertex, no radii in the options. REQUIRES (not checked: O(n)): finite and >= 0.
-  void serve_world(std::vector<double> radii);
+  /// Sets each vertex's radius, before the first question. REQUIRES: a radius for each vertex, no radii in the options.
+  /// REQUIRES (not checked: O(n)): finite and >= 0.
+  void set_radii(std::vector<double> radii);
 
   /// As in DetectorAccess.
   void use_frame(const BoxFrame& of_scene) { frame_ = of_scene; }
@@ -54,9 +53,10 @@ struct Detector::State {
   SafeStep safe_step(const CutPath& path, double keep, const QueryOptions& asked);
   TruncatedStep truncate(const Step& step, double keep, const QueryOptions& asked, Stored stored);
   const std::vector<NearPair>& find_near(const Positions& positions, double distance);
-  /// All intersections, or for `is_free` some, if there are any. In a world's mesh only those that `accepts` of the
-  /// options' filter accepts: it is called with a vertex of the edge, and the face.
-  const std::vector<Intersection>& find_intersections(const Positions& positions, Question question);
+  /// All intersections, or for `is_free` some, if there are any. `by_accepts`: only those that `accepts` of the
+  /// options' filter accepts, which is called with a vertex of the edge, and the face.
+  const std::vector<Intersection>& find_intersections(const Positions& positions, Question question,
+                                                      bool by_accepts = false);
 
   const Mesh mesh;
   const Options options;
@@ -110,8 +110,7 @@ struct Detector::State {
   Bound bound_;  ///< of the contacts in `found`
   std::vector<NearPair> near_;
   std::vector<Intersection> intersections_;
-  std::vector<double> radii_;  ///< of the vertices; empty: all zero
-  bool serves_world_ = false;
+  std::vector<double> radii_;      ///< of the vertices; empty: all zero
   std::optional<BoxFrame> frame_;  ///< of the whole scene, if the mesh is a part of it
   std::unique_ptr<Engine> engine_;
   ContactSorter sorter_;

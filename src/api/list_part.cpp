@@ -25,9 +25,9 @@ bool are_rows(const Pair& pair, Index rows) {
 struct Batch {
   static constexpr int kPairsPerBatch = 128;  // their vertices, prefetched as pairs come in, stay in the L1 cache
 
-  PairBuffer pairs, rest;
-  std::int32_t places[kPairsPerBatch + PairBuffer::kPadding];
-  std::int32_t undecided[kPairsPerBatch];
+  PairBuffer pairs;
+  std::int32_t places[kPairsPerBatch];  ///< of the pairs in the list
+  DecisionRoom<kPairsPerBatch> room;
 };
 
 class PartDecision {
@@ -68,18 +68,15 @@ class PartDecision {
     TAMIS_ASSERT(batch.pairs.count <= Batch::kPairsPerBatch);
     const auto& [start, end] = part_.step;
     const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
-    const ListedPairs list{vertices, batch.places, part_.options.min_separation, part_.options.latest, within(kind)};
-    const int undecided = part_.kernels.of(kind).decide_list(list, batch.pairs, batch.rest, results_, batch.undecided);
-    TAMIS_ASSERT(0 <= undecided && undecided <= batch.pairs.count);
+    LaneDecisions decisions = batch.room.lists();
+    part_.kernels.of(kind).decide_rows(vertices, part_.options.min_separation, part_.options.latest, batch.pairs,
+                                       *scratch_, decisions);
+    for (int i = 0; i < batch.pairs.count; ++i) results_[batch.places[i]] = {};
+    for (int i = 0; i < decisions.touching_count; ++i)
+      results_[batch.places[decisions.touching[i].pair]] = decisions.touching[i].result;
     batch.pairs.count = 0;
-    return std::all_of(batch.undecided, batch.undecided + undecided,
-                       [&](std::int32_t place) { return decide_singly(kind, place); });
-  }
-
-  WithinScratch* within(PairKind kind) {
-    if (!is_about_distance(kind, part_.options.min_separation)) return nullptr;
-    if (!within_) within_ = std::make_unique_for_overwrite<WithinScratch>();
-    return within_.get();
+    return std::all_of(decisions.undecided, decisions.undecided + decisions.undecided_count,
+                       [&](std::int32_t pair) { return decide_singly(kind, batch.places[pair]); });
   }
 
   bool decide_singly(PairKind kind, std::int32_t place) {
@@ -95,7 +92,7 @@ class PartDecision {
   const ListPart part_;
   PairResult* results_;
   std::unique_ptr<Batch> batches_[kPairKinds];
-  std::unique_ptr<WithinScratch> within_;
+  const std::unique_ptr<DecisionScratch> scratch_ = std::make_unique_for_overwrite<DecisionScratch>();
 };
 
 }  // namespace

@@ -45,7 +45,7 @@ Detector Gathered::make_detector(const BodyList& bodies, const std::set<BodyPair
   Detector detector(std::move(mesh), std::move(options));
   std::vector<double> radii;
   for (const Vertex& vertex : vertices_) radii.push_back(member(bodies, vertex.body).radius());
-  DetectorAccess::lock(detector)->serve_world(std::move(radii));
+  DetectorAccess::lock(detector)->set_radii(std::move(radii));
   return detector;
 }
 

@@ -179,7 +179,7 @@ std::vector<BodyIntersection> World::intersections() {
   const State::QuestionTurn now(*this);
   std::vector<BodyIntersection> all;
   now->for_each_at_rest(0, [&](auto& state, auto& pose, auto& whose) {
-    add_named(all, state->find_intersections(pose, Question::all_contacts), whose);
+    add_named(all, state->find_intersections(pose, Question::all_contacts, true), whose);
     return true;
   });
   put_in_order(all);
@@ -190,7 +190,7 @@ bool World::has_intersection() {
   const State::QuestionTurn now(*this);
   bool has_one = false;
   now->for_each_at_rest(0, [&](auto& state, auto& pose, auto&) {
-    has_one = !state->find_intersections(pose, Question::is_free).empty();
+    has_one = !state->find_intersections(pose, Question::is_free, true).empty();
     return !has_one;
   });
   return has_one;

@@ -131,8 +131,10 @@ void PairsOnParts::test(PairKind kind, std::span<const std::int32_t> pairs) {
     for (std::size_t c = 0; c < vertex_count(kind); ++c) buffer.corner[c][i] = place_[at(vertices[c])];
   }
   const MotionView motion{vertices_.data(), {piece_->separations.fixed, true}};
-  const int left = kernels_.of(kind).come_within(motion, 1, buffer, scratch.within, scratch.solved.data());
-  for (int i = 0; i < left; ++i) may_touch_[at(pairs[at(scratch.solved[at(i)].pair)])] = true;
+  LaneDecisions decisions = scratch.decisions.lists();
+  kernels_.of(kind).decide(motion, 1, buffer, scratch.scratch, decisions);
+  for (int i = 0; i < decisions.touching_count; ++i) may_touch_[at(pairs[at(decisions.touching[i].pair)])] = true;
+  for (int i = 0; i < decisions.undecided_count; ++i) may_touch_[at(pairs[at(decisions.undecided[i])])] = true;
 }
 
 }  // namespace tamis

@@ -47,8 +47,8 @@ class PairsOnParts {
   };
   struct Scratch {
     PairBuffer pairs;
-    WithinScratch within;
-    std::array<SolvedPair, PairBuffer::kCapacity> solved;
+    DecisionScratch scratch;
+    DecisionRoom<PairBuffer::kCapacity> decisions;
   };
 
   /// `from` and `to` are moments of `vertices`, which hold the vertices of these pairs, and maybe others.

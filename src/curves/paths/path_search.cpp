@@ -120,7 +120,6 @@ void PathSearch::search_chords(const MeshMoment& from, const MeshMoment& to) {
   begin_bound_on_piece({from.time, to.time});
   candidates_.begin(chords, bound_on_piece_);
   engine_.find(chords, candidates_, statistics_);
-  statistics_.decided_by += candidates_.decided_by();
   std::size_t looked_at = 0;
   std::erase_if(candidates_.contacts(), [&](const Contact& pair) {
     if (++looked_at % kBatch == 0) stop_if_cancelled(query_);

@@ -14,7 +14,7 @@ namespace {
 constexpr float kRounding = 0x1p-23f;
 
 /// The frame moves with its vertices where that makes it this many times narrower, which gains three bits of every
-/// coordinate. (A smaller gain would only change the last digits of answers.)
+/// coordinate. (A smaller gain is not worth it.)
 constexpr double kMuchNarrower = 8;
 
 /// Half of the frame's width, and its middle at both ends of the step; the scale follows from these.

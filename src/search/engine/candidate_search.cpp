@@ -11,15 +11,15 @@ void CandidateConsumer::begin(CandidateQuery& shared) {
 }
 
 /// The slab clip, then axes that turn with the pair. The trees' separation holds twice the deviation.
-void CandidateConsumer::consume(PairKind kind) {
-  PairBuffer &boxes = thread().boxes, &clipped = thread().clipped, &filtered = thread().filtered;
+void CandidateConsumer::consume(PairKind kind, PairBuffer& pairs) {
+  PairBuffer &clipped = thread().clipped, &filtered = thread().filtered;
   const MotionView motion = thread().motion.view();
   const PairKernels& stages = thread().kernels.of(kind);
-  leave_out_groups(query().filter, kind, boxes);
-  stages.slab(motion, boxes, clipped);
+  leave_out_groups(query().filter, kind, pairs);
+  stages.slab(motion, pairs, clipped);
   stages.cull_apart(motion, clipped, filtered);
   SearchCounts& counts = thread().counts;
-  of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
+  of(counts.boxes, kind) += static_cast<std::uint64_t>(pairs.count);
   of(counts.apart, kind) += static_cast<std::uint64_t>(clipped.count);
   candidates_[kind].add(filtered);
   if (shared_->pairs_left.fetch_sub(filtered.count, std::memory_order_relaxed) < filtered.count)

@@ -32,7 +32,7 @@ class CandidateConsumer final : public PairStream {
 
   bool wants(PairKind) const override { return !shared_->bound.is_settled(); }
   SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search; }
-  void consume(PairKind kind) override;
+  void consume(PairKind kind, PairBuffer& pairs) override;
   std::uint64_t memory_bytes() const { return candidates_.memory_bytes(); }
 
  private:

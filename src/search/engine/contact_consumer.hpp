@@ -1,8 +1,5 @@
-// Consumer for contacts, earliest and is_free: slab clip, DNF and NCF, roots in lanes, then the undecided pairs one by
-// one. With a separation, axes that turn with the pair and advancement take the place of DNF, NCF and roots.
+// Consumer for contacts, earliest and is_free: filters, decisions in lanes, then the undecided pairs one by one.
 #pragma once
-#include <array>
-#include <memory>
 #include <span>
 
 #include "search/engine/pair_stream.hpp"
@@ -26,28 +23,22 @@ class ContactConsumer final : public PairStream {
 
   bool wants(PairKind kind) const override { return found_.wants(kind); }
   SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search; }
-  void consume(PairKind kind) override;
-  std::uint64_t memory_bytes() const { return found_.memory_bytes() + (list_scratch_ ? sizeof(ListScratch) : 0); }
+  void consume(PairKind kind, PairBuffer& pairs) override;
+  std::uint64_t memory_bytes() const { return found_.memory_bytes(); }
 
  private:
+  /// Contacts that begin later cannot change the answer. Below 0 where no contact can: lanes then find none.
+  double latest() const { return found_.bound().latest(); }
   /// Removes pairs that groups or the caller's filter leave out, or that can no longer change the answer.
-  void leave_out_unwanted(PairKind kind);
+  void leave_out_unwanted(PairKind kind, PairBuffer& pairs);
   /// Ends each pair's time at the latest one of interest for its bodies: the slab clip then removes pairs that come
   /// later.
-  void shorten_times(PairKind kind);
-  /// Decides the pairs of thread().boxes as narrow_phase() decides a list (Query::depends_on_pair_alone).
-  void decide_as_list(PairKind kind);
-  void add(PairKind kind, const PairVertices& vertices, PairResult result);
-  /// `places`: of pairs in thread().filtered.
-  void decide_left(PairKind kind, std::span<const int> places);
-
-  struct ListScratch {
-    std::array<std::int32_t, PairBuffer::kSize> places, undecided;
-    std::array<PairResult, PairBuffer::kCapacity> results;
-  };
+  void shorten_times(PairKind kind, PairBuffer& pairs);
+  void add(PairKind kind, const PairVertices& vertices, const DecidedPair& pair);
+  /// `places`: of the pairs that lanes left undecided.
+  void decide_left(PairKind kind, const PairBuffer& pairs, std::span<const std::int32_t> places);
 
   ContactCollector found_;
-  std::unique_ptr<ListScratch> list_scratch_;  ///< made when first used
 };
 
 }  // namespace tamis

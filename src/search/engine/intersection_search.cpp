@@ -23,44 +23,37 @@ void IntersectionConsumer::begin(IntersectionQuery& shared) {
   found_.clear();
 }
 
-/// Groups alone leave out a detector's intersections, as filter.accepts takes pairs of a PairKind; with
-/// Query::depends_on_pair_alone `accepts` is asked, too.
-void IntersectionConsumer::consume(PairKind kind) {
-  const bool depends_on_pair_alone = query().depends_on_pair_alone;
-  if (!wants(kind)) thread().boxes.count = 0;
-  if (depends_on_pair_alone)
-    leave_out(query().filter, kind, thread().boxes);
+void IntersectionConsumer::consume(PairKind kind, PairBuffer& pairs) {
+  const PairKernels& stages = thread().kernels.along_edges;
+  if (!wants(kind)) pairs.count = 0;
+  if (query().accepts_intersections)
+    leave_out(query().filter, kind, pairs);
   else
-    leave_out_groups(query().filter, kind, thread().boxes);
-  const int count = decide_crossings(thread(), kind, thread().kernels.along_edges);
-  decide_left(add_solved(thread(), count, [&](int pair, const PairResult& result) {
-    if (depends_on_pair_alone)
-      thread().undecided.push_back(pair);
-    else
-      add(pair, result);
-  }));
+    leave_out_groups(query().filter, kind, pairs);
+  const PairBuffer& left = filter_crossings(thread(), kind, stages, pairs);
+  const LaneDecisions decisions = decide_in_lanes(thread(), stages, 1, left);
+  for (const TouchingPair& pair : touching(decisions)) add(left, pair.pair, pair.result);
+  decide_left(left, undecided(decisions));
 }
 
-void IntersectionConsumer::add(int pair, const PairResult& r) {
+void IntersectionConsumer::add(const PairBuffer& pairs, int place, const PairResult& r) {
   if (!r.touches) return;
-  const PairBuffer& pairs = thread().filtered;
-  const Edge edge = edge_of(pairs, pair);
-  const Face face = face_of(pairs, pair);
+  const Edge edge = edge_of(pairs, place);
+  const Face face = face_of(pairs, place);
   if (query().rings.are_neighbours(edge, face)) return;
   found_.push_back({edge, face, r.toi_lower, r.toi_upper, r.u, r.v});
   if (query().question == Question::is_free) shared_->bound.settle();
 }
 
-void IntersectionConsumer::decide_left(std::span<const int> pairs) {
-  const auto decided = [&](int pair, PrecisionCount& counts) {
+void IntersectionConsumer::decide_left(const PairBuffer& pairs, std::span<const std::int32_t> places) {
+  const auto decided = [&](int place, PrecisionCount& counts) {
     stop_if_cancelled(query());
-    const PairBuffer& filtered = thread().filtered;
-    const PairPoints points = edge_runner_points(query().step.start, edge_of(filtered, pair), face_of(filtered, pair));
+    const PairPoints points = edge_runner_points(query().step.start, edge_of(pairs, place), face_of(pairs, place));
     return decide({kEdgeRunner, points}, counts);
   };
   decide_singly(
-      thread(), pairs, query().question != Question::is_free, [&](int) { return wants(kEdgeRunner); }, decided,
-      [&](int pair, const DecidedPair& decided_pair) { add(pair, decided_pair.result); });
+      thread(), places, query().question != Question::is_free, [&](int) { return wants(kEdgeRunner); }, decided,
+      [&](int place, const DecidedPair& pair) { add(pairs, place, pair.result); });
 }
 
 void IntersectionSearch::find(const Query& query, std::vector<Intersection>& found, Statistics& statistics) {

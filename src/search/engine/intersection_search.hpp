@@ -27,13 +27,13 @@ class IntersectionConsumer final : public PairStream {
 
   bool wants(PairKind) const override { return !shared_->bound.is_settled(); }
   SearchKernel kernel(PairKind) const override { return thread().kernels.along_edges.search; }
-  void consume(PairKind kind) override;
+  void consume(PairKind kind, PairBuffer& pairs) override;
   std::uint64_t memory_bytes() const { return held_bytes(found_); }
 
  private:
-  /// `pair`: its place in thread().filtered.
-  void add(int pair, const PairResult& result);
-  void decide_left(std::span<const int> pairs);
+  void add(const PairBuffer& pairs, int place, const PairResult& result);
+  /// `places`: of the pairs that lanes left undecided.
+  void decide_left(const PairBuffer& pairs, std::span<const std::int32_t> places);
 
   IntersectionQuery* shared_ = nullptr;
   std::vector<Intersection> found_;

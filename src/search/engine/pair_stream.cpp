@@ -68,7 +68,7 @@ void PairStream::hand_over() {
   stop_if_cancelled(query());
   if (thread_.boxes.count == 0) return;
   keep_each_once(kind_, thread_.boxes);
-  consume(kind_);
+  consume(kind_, thread_.boxes);
   thread_.boxes.count = 0;
   thread_.counts.solving += thread_.watch.lap();
 }

@@ -41,8 +41,8 @@ class PairStream {
   virtual SearchKernel kernel(PairKind kind) const = 0;
   /// Sets the search's limits other than time; called again after each full buffer.
   virtual void set_limits(Search&) const {}
-  /// Consumes the pairs of thread().boxes, each of which is there once. The stream empties the buffer afterwards.
-  virtual void consume(PairKind kind) = 0;
+  /// Consumes the pairs, each of which is there once, and may overwrite them.
+  virtual void consume(PairKind kind, PairBuffer& pairs) = 0;
 
  private:
   static void flush(Search& search);

@@ -16,12 +16,12 @@ void ProximityConsumer::begin(const Query& query) {
   for (auto& pairs : found_) pairs.clear();
 }
 
-void ProximityConsumer::consume(PairKind kind) {
+void ProximityConsumer::consume(PairKind kind, PairBuffer& pairs) {
   SearchCounts& counts = thread().counts;
-  PairBuffer &boxes = thread().boxes, &within = thread().clipped, &unsure = thread().filtered;
-  of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
-  thread().kernels.of(kind).find_within_at_rest(thread().motion.view(), boxes, within, unsure);
-  counts.decided_by.lanes += static_cast<std::uint64_t>(boxes.count - unsure.count);
+  PairBuffer &within = thread().clipped, &unsure = thread().filtered;
+  of(counts.boxes, kind) += static_cast<std::uint64_t>(pairs.count);
+  thread().kernels.of(kind).find_within_at_rest(thread().motion.view(), pairs, within, unsure);
+  counts.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - unsure.count);
   keep_wanted(unsure, [&](int i) {
     stop_if_cancelled(query());
     const PairVertices v = vertices_of(kind, unsure, i);

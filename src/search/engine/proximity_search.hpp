@@ -26,7 +26,7 @@ class ProximityConsumer final : public PairStream {
 
   SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_at_rest; }
   void set_limits(Search& search) const override { search.widened = thread().motion.view().box_separation.fixed; }
-  void consume(PairKind kind) override;
+  void consume(PairKind kind, PairBuffer& pairs) override;
   std::uint64_t memory_bytes() const { return held_bytes(found_); }
 
  private:

@@ -3,39 +3,44 @@
 namespace tamis {
 namespace {
 
-/// The slab clip, from thread.boxes to thread.clipped.
-void clip(SearchThread& thread, PairKind kind, const PairKernels& stages) {
-  const auto entered = static_cast<std::uint64_t>(thread.boxes.count);
+const PairBuffer& clip(SearchThread& thread, PairKind kind, const PairKernels& stages, const PairBuffer& pairs) {
+  const auto entered = static_cast<std::uint64_t>(pairs.count);
   of(thread.counts.boxes, kind) += entered;
   of(thread.counts.slab, kind) += entered;
-  stages.slab(thread.motion.view(), thread.boxes, thread.clipped);
+  stages.slab(thread.motion.view(), pairs, thread.clipped);
+  return thread.clipped;
 }
 
 }  // namespace
 
-void filter_crossings(SearchThread& thread, PairKind kind, const PairKernels& stages) {
-  clip(thread, kind, stages);
-  of(thread.counts.dnf, kind) += static_cast<std::uint64_t>(thread.clipped.count);
-  of(thread.counts.ncf, kind) +=
-      static_cast<std::uint64_t>(stages.filter(thread.motion.view(), thread.clipped, thread.filtered));
-  of(thread.counts.solve, kind) += static_cast<std::uint64_t>(thread.filtered.count);
+const PairBuffer& filter_crossings(SearchThread& thread, PairKind kind, const PairKernels& stages,
+                                   const PairBuffer& pairs) {
+  const PairBuffer& clipped = clip(thread, kind, stages, pairs);
+  PairBuffer& left = thread.filtered;
+  of(thread.counts.dnf, kind) += static_cast<std::uint64_t>(clipped.count);
+  of(thread.counts.ncf, kind) += static_cast<std::uint64_t>(stages.filter(thread.motion.view(), clipped, left));
+  of(thread.counts.solve, kind) += static_cast<std::uint64_t>(left.count);
   thread.counts.filter += thread.watch.lap();
+  return left;
 }
 
-int decide_crossings(SearchThread& thread, PairKind kind, const PairKernels& stages) {
-  filter_crossings(thread, kind, stages);
-  return stages.solve(thread.motion.view(), thread.filtered, thread.clipped, thread.solved_scratch());
+const PairBuffer& filter_apart(SearchThread& thread, PairKind kind, const PairKernels& stages,
+                               const PairBuffer& pairs) {
+  clip(thread, kind, stages, pairs);
+  PairBuffer &clipped = thread.clipped, &left = thread.filtered;
+  of(thread.counts.apart, kind) += static_cast<std::uint64_t>(clipped.count);
+  stages.cull_apart(thread.motion.view(), clipped, left);
+  of(thread.counts.solve, kind) += static_cast<std::uint64_t>(left.count);
+  thread.counts.filter += thread.watch.lap();
+  return left;
 }
 
-int decide_within_separation(SearchThread& thread, PairKind kind, double latest) {
-  const PairKernels& stages = thread.kernels.of(kind);
-  const MotionView motion = thread.motion.view();
-  clip(thread, kind, stages);
-  of(thread.counts.apart, kind) += static_cast<std::uint64_t>(thread.clipped.count);
-  stages.cull_apart(motion, thread.clipped, thread.filtered);
-  of(thread.counts.solve, kind) += static_cast<std::uint64_t>(thread.filtered.count);
-  thread.counts.filter += thread.watch.lap();
-  return stages.come_within(motion, latest, thread.filtered, thread.within_scratch(), thread.solved_scratch());
+LaneDecisions decide_in_lanes(SearchThread& thread, const PairKernels& stages, double latest, const PairBuffer& pairs) {
+  TAMIS_ASSERT(0 <= pairs.count && pairs.count <= PairBuffer::kCapacity);
+  LaneDecisions decisions = thread.decision_lists();
+  stages.decide(thread.motion.view(), latest, pairs, thread.decision_scratch(), decisions);
+  thread.counts.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - decisions.undecided_count);
+  return decisions;
 }
 
 }  // namespace tamis

@@ -41,15 +41,15 @@ void StepLengthConsumer::begin(StepLengthQuery& shared) {
   ends_.clear();
 }
 
-void StepLengthConsumer::consume(PairKind kind) {
+void StepLengthConsumer::consume(PairKind kind, PairBuffer& pairs) {
   SearchCounts& counts = thread().counts;
-  PairBuffer &boxes = thread().boxes, &near = thread().filtered;
-  of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
-  if (limit_.time == 0) keep_wanted(boxes, [&](int i) { return !limit_.rules_out(kind, vertices_of(kind, boxes, i)); });
-  leave_out_unchanged(query().changed, kind, boxes);  // costs less than the tests below
-  leave_out_groups(query().filter, kind, boxes);
-  if (can_cross(kind)) thread().kernels.of(kind).may_end_step(thread().motion.view(), shared_->rule(), boxes, near);
-  PairBuffer& left = can_cross(kind) ? near : boxes;  // pairs of loose points are few
+  PairBuffer& near = thread().filtered;
+  of(counts.boxes, kind) += static_cast<std::uint64_t>(pairs.count);
+  if (limit_.time == 0) keep_wanted(pairs, [&](int i) { return !limit_.rules_out(kind, vertices_of(kind, pairs, i)); });
+  leave_out_unchanged(query().changed, kind, pairs);  // costs less than the tests below
+  leave_out_groups(query().filter, kind, pairs);
+  if (can_cross(kind)) thread().kernels.of(kind).may_end_step(thread().motion.view(), shared_->rule(), pairs, near);
+  PairBuffer& left = can_cross(kind) ? near : pairs;  // pairs of loose points are few
   of(counts.near, kind) += static_cast<std::uint64_t>(left.count);
   leave_out(query().filter, kind, left);
   counts.filter += thread().watch.lap();

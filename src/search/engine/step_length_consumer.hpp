@@ -44,7 +44,7 @@ class StepLengthConsumer final : public PairStream {
   bool wants(PairKind kind) const override { return !limit_.rules_out(kind); }
   SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_step_ends; }
   void set_limits(Search& search) const override { search.keep = shared_->rule(); }
-  void consume(PairKind kind) override;
+  void consume(PairKind kind, PairBuffer& pairs) override;
   std::uint64_t memory_bytes() const { return held_bytes(ends_); }
 
  private:

@@ -21,31 +21,31 @@ struct DecidedPair {
 struct SearchThread {
   SearchThread(const Kernels& k, const PackedMotion& m) : kernels(k), motion(m) {}
 
-  /// Output of the solver, and scratch for separations: allocated when first used.
-  SolvedPair* solved_scratch() {
-    TAMIS_ASSERT(0 <= filtered.count && filtered.count <= PairBuffer::kCapacity);
-    if (!solved) solved = std::make_unique_for_overwrite<SolvedPair[]>(PairBuffer::kCapacity);
-    return solved.get();
+  /// Allocated when first used.
+  LaneDecisions decision_lists() {
+    if (!room_) room_ = std::make_unique_for_overwrite<Room>();
+    return room_->lists();
   }
-  WithinScratch& within_scratch() {
-    if (!within) within = std::make_unique_for_overwrite<WithinScratch>();
-    return *within;
+  DecisionScratch& decision_scratch() {
+    if (!scratch_) scratch_ = std::make_unique_for_overwrite<DecisionScratch>();
+    return *scratch_;
   }
   std::uint64_t memory_bytes() const {
-    return sizeof(*this) + held_bytes(undecided, decided) + (solved ? PairBuffer::kCapacity * sizeof(SolvedPair) : 0) +
-           (within ? sizeof(WithinScratch) : 0);
+    return sizeof(*this) + held_bytes(singly) + (room_ ? sizeof(Room) : 0) + (scratch_ ? sizeof(DecisionScratch) : 0);
   }
 
   const Kernels& kernels;
   const PackedMotion& motion;
-  PairBuffer boxes;              ///< what the stream fills: pairs whose boxes meet
-  PairBuffer clipped, filtered;  ///< what stages leave
-  std::unique_ptr<SolvedPair[]> solved;
-  std::unique_ptr<WithinScratch> within;
-  std::vector<int> undecided;        ///< places in `filtered` that lanes leave undecided
-  std::vector<DecidedPair> decided;  ///< of these pairs
+  PairBuffer boxes;                 ///< what the stream fills: pairs whose boxes meet
+  PairBuffer clipped, filtered;     ///< buffers for a stage to fill and to return
+  std::vector<DecidedPair> singly;  ///< for decide_singly()
   SearchCounts counts;
   Stopwatch watch;  ///< runs since seconds were last added to the counts
+
+ private:
+  using Room = DecisionRoom<PairBuffer::kCapacity>;
+  std::unique_ptr<Room> room_;
+  std::unique_ptr<DecisionScratch> scratch_;
 };
 
 struct Workspace {

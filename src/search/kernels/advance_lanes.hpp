@@ -14,36 +14,24 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// The sum of all components: not finite if one of them is not.
-inline DoubleLanes sum(const Moving<DoubleLanes>& v) {
-  return (v.at0.x + v.at0.y + v.at0.z) + (v.at1.x + v.at1.y + v.at1.z);
-}
-
-/// Bits of the lanes all of whose numbers are finite.
-inline unsigned finite_lanes(const PairMotion<DoubleLanes>& m) {
-  const DoubleLanes all = sum(m.e) + sum(m.f) + sum(m.d);
-  return bits(all - all == DoubleLanes(0));  // NOLINT(misc-redundant-expression): NaN where all is not finite
-}
-
-/// `Sink`: each pair of the buffer is reported to one of free(place), undecided(place), touches(place, contacts, lane).
-template <PairKind kind, class Vertices, class Sink>
+template <PairKind kind, class Vertices>
 class AdvanceLanes {
  public:
-  /// Pairs whose contact begins after `latest` are reported as free.
-  AdvanceLanes(Vertices vertices, const PairSeparation<double>& separation, double latest, WithinScratch& scratch,
-               Sink& sink)
+  /// Pairs whose contact begins after `latest` count as free.
+  AdvanceLanes(Vertices vertices, const PairSeparation<double>& separation, double latest, DecisionScratch& scratch,
+               LaneDecisions& out)
       : vertices_(vertices),
         separation_(separation),
         latest_(latest),
         moving_(scratch.moving),
         touching_(scratch.touching),
-        sink_(sink) {}
+        out_(out) {}
 
   void run(const PairBuffer& in) {
     moving_.pairs.count = touching_.pairs.count = 0;
     for (int first = 0; first < in.count; first += kDoubleLanes) start(in, first);
     for (int probes = 1; moving_.pairs.count > 0 && probes < kMaxProbes; ++probes) probe_again();
-    for (int i = 0; i < moving_.pairs.count; ++i) sink_.undecided(moving_.places[i]);
+    for (int i = 0; i < moving_.pairs.count; ++i) leave_undecided(moving_.places[i]);
     for (int first = 0; first < touching_.pairs.count; first += kDoubleLanes) describe(first);
   }
 
@@ -65,8 +53,7 @@ class AdvanceLanes {
     const unsigned free = fit & bits((clip.t_in > clip.t_out) | (clip.t_in > Lanes(latest_)));
     std::int32_t places[kDoubleLanes];
     for (int i = 0; i < kDoubleLanes; ++i) places[i] = first + i;
-    for_each_bit(all & ~fit, [&](int i) { sink_.undecided(places[i]); });
-    for_each_bit(free, [&](int i) { sink_.free(places[i]); });
+    for_each_bit(all & ~fit, [&](int i) { leave_undecided(places[i]); });
     if (fit & ~free) probe(in, first, places, m, clip.t_in, clip.t_out, fit & ~free);
   }
 
@@ -99,8 +86,7 @@ class AdvanceLanes {
     const unsigned apart = lanes & bits(is_apart), undecided = lanes & ~apart & bits(now >= end);
     const unsigned free = apart & bits((next.now > end) | (next.now > Lanes(latest_)));
     const unsigned goes_on = apart & ~free & bits(next.ahead == Lanes(0));
-    for_each_bit(undecided, [&](int i) { sink_.undecided(places[i]); });
-    for_each_bit(free, [&](int i) { sink_.free(places[i]); });
+    for_each_bit(undecided, [&](int i) { leave_undecided(places[i]); });
     append(pairs, first, lanes & ~free & ~goes_on & ~undecided, places, next.now, min(next.now + next.ahead, end),
            touching_);
     append(pairs, first, goes_on, places, next.now, end, moving_);  // last: it may overwrite `pairs`
@@ -136,16 +122,20 @@ class AdvanceLanes {
     const Vec3<Lanes> normal = select(place.is_sure, place.direction, Vec3<Lanes>{unknown, unknown, unknown});
     const ContactLanes contacts(lower, upper, place.u, place.v, normal);
     const std::int32_t* places = touching_.places + first;
-    for_each_bit(late, [&](int i) { sink_.free(places[i]); });
-    for_each_bit(lanes & ~late & ~decided, [&](int i) { sink_.undecided(places[i]); });
-    for_each_bit(decided, [&](int i) { sink_.touches(places[i], contacts, i); });
+    for_each_bit(lanes & ~late & ~decided, [&](int i) { leave_undecided(places[i]); });
+    for_each_bit(decided, [&](int i) {
+      if (!contacts.has_place(i)) return leave_undecided(places[i]);  // integers find it
+      out_.touching[out_.touching_count++] = {places[i], contacts.result(i)};
+    });
   }
+
+  void leave_undecided(std::int32_t place) { out_.undecided[out_.undecided_count++] = place; }
 
   const Vertices vertices_;
   const PairSeparation<double> separation_;
   const double latest_;
   AdvanceBuffer &moving_, &touching_;
-  Sink& sink_;
+  LaneDecisions& out_;
 };
 
 }  // namespace tamis::TAMIS_ISA

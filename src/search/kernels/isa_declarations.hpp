@@ -1,15 +1,18 @@
-// Kernels that are compiled in sources of their own, decide_list_isa.cpp and within_isa.cpp: see PairKernels.
+// Kernels that are compiled in sources of their own, decide_isa.cpp and cull_apart_isa.cpp: see PairKernels.
 #pragma once
 #include "search/kernels/kernels.hpp"
 
 namespace tamis::TAMIS_ISA {
 
 template <PairKind kind>
-int decide_list(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
-                std::int32_t* undecided);
+void decide(const MotionView& motion, double latest, const PairBuffer& in, DecisionScratch& scratch,
+            LaneDecisions& out);
+void decide_along_edges(const MotionView& motion, double latest, const PairBuffer& in, DecisionScratch& scratch,
+                        LaneDecisions& out);
+template <PairKind kind>
+void decide_rows(const StepRows& vertices, double min_separation, double latest, const PairBuffer& in,
+                 DecisionScratch& scratch, LaneDecisions& out);
 template <PairKind kind>
 void cull_apart(const MotionView& motion, PairBuffer& pairs, PairBuffer& out);
-template <PairKind kind>
-int come_within(const MotionView& motion, double latest, const PairBuffer& in, WithinScratch& scratch, SolvedPair* out);
 
 }  // namespace tamis::TAMIS_ISA

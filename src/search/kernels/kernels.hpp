@@ -26,11 +26,27 @@ struct PairBuffer {
   float t_out[kSize] = {};
 };
 
-/// What the solver in lanes found of one pair of a buffer.
-struct SolvedPair {
+/// A pair of a buffer that touches.
+struct TouchingPair {
   std::int32_t pair;  ///< its place in the buffer
-  bool is_decided;    ///< false: to be decided singly
-  PairResult result;  ///< if it is decided; a normal of NaN leaves the place to integers (contact_normal.hpp)
+  PairResult result;
+};
+
+/// What lanes found of the pairs of a buffer. A pair in neither list is proven free. REQUIRES (not checked: lanes): in
+/// each list room for as many pairs as the buffer has.
+struct LaneDecisions {
+  TouchingPair* touching;
+  std::int32_t* undecided;  ///< places in the buffer of the pairs that are left to decide()
+  int touching_count = 0, undecided_count = 0;
+};
+
+/// Room for the decisions on so many pairs.
+template <int pairs>
+struct DecisionRoom {
+  LaneDecisions lists() { return {touching, undecided}; }
+
+  TouchingPair touching[pairs];
+  std::int32_t undecided[pairs];
 };
 
 /// Pairs that advance towards the time at which they come within their separation (pair/narrow/advancement.hpp): proven
@@ -43,8 +59,8 @@ struct AdvanceBuffer {
   double until[PairBuffer::kSize];
 };
 
-/// Scratch of the kernels that decide pairs within a separation.
-struct WithinScratch {
+/// Scratch of the kernels that decide pairs.
+struct DecisionScratch {
   AdvanceBuffer moving, touching;
 };
 
@@ -92,15 +108,6 @@ struct StepRows {
   std::ptrdiff_t start_stride, end_stride;
 };
 
-/// The input of decide_list beside the pairs.
-struct ListedPairs {
-  StepRows vertices;
-  const std::int32_t* places;  ///< of the buffer's pairs in the list
-  double min_separation = 0;
-  double latest = 1;                ///< no contact that begins later is asked for
-  WithinScratch* within = nullptr;  ///< used with a separation, and for kinds that cannot cross
-};
-
 /// The kernels of one kind of pairs; null where the kind has no use for one. Kernels that cull overwrite `out` with the
 /// pairs that they leave.
 struct PairKernels {
@@ -121,15 +128,17 @@ struct PairKernels {
   /// DNF, then NCF, on each pair's times. Returns how many pairs DNF left to NCF. For kinds that can cross, as the
   /// next.
   int (*filter)(const MotionView& motion, const PairBuffer& in, PairBuffer& out) = nullptr;
-  /// Roots and inside test. Writes the pairs that touch or are undecided, returns their number; `rest` is scratch.
-  int (*solve)(const MotionView& motion, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) = nullptr;
   /// Culls pairs that are proven farther apart than their separation during their times: by one axis that turns with
   /// the pair, or by one in each of four parts of the time. `pairs` is overwritten.
   void (*cull_apart)(const MotionView& motion, PairBuffer& pairs, PairBuffer& out) = nullptr;
-  /// Finds when pairs come within their separation, on the whole step, with the bits of decide(). Writes the pairs that
-  /// come within it until `latest`, and the undecided pairs; returns the number of both.
-  int (*come_within)(const MotionView& motion, double latest, const PairBuffer& in, WithinScratch& scratch,
-                     SolvedPair* out) = nullptr;
+  /// Decides pairs on the whole step: by crossings (pair/narrow/clipped_crossing.hpp), or with a separation by
+  /// advancement (advance_lanes.hpp). The answer depends on the pair alone, and has the bits of decide(). Pairs whose
+  /// contact begins after `latest` count as free. Pairs with coordinates that are not finite are left undecided.
+  void (*decide)(const MotionView& motion, double latest, const PairBuffer& in, DecisionScratch& scratch,
+                 LaneDecisions& out) = nullptr;
+  /// The same for vertices in the layout of Positions.
+  void (*decide_rows)(const StepRows& vertices, double min_separation, double latest, const PairBuffer& in,
+                      DecisionScratch& scratch, LaneDecisions& out) = nullptr;
   /// At rest: writes the pairs within their separation to `near`, and to `unsure` the pairs that may be within it, but
   /// whose distance doubles do not give sharply enough.
   void (*find_within_at_rest)(const MotionView& motion, const PairBuffer& in, PairBuffer& near,
@@ -137,12 +146,6 @@ struct PairKernels {
   /// At rest: writes a NearPair for each pair of the buffer; the distance is NaN where doubles do not give it sharply
   /// enough.
   void (*measure)(const PackedVertex* vertices, const PairBuffer& in, NearPair* out) = nullptr;
-  /// Decides pairs of a list on the whole step, each with the bits of decide(), as far as crossings in doubles
-  /// (pair/narrow/clipped_crossing.hpp) or, with a separation, advancement (advance_lanes.hpp) decide them. Writes
-  /// results[places[i]]. Writes the places of the other pairs, which are for decide() or have coordinates that are not
-  /// finite, to `undecided`, and returns their number. `rest` is scratch.
-  int (*decide_list)(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
-                     std::int32_t* undecided) = nullptr;
 };
 
 struct Kernels {

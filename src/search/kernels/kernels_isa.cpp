@@ -35,14 +35,13 @@ constexpr PairKernels kernels_of() {
                       .search_step_ends = search_step_ends<kSearched>,
                       .slab = slab<kind>,
                       .cull_apart = cull_apart<kind>,
-                      .come_within = come_within<kind>,
+                      .decide = decide<kind>,
+                      .decide_rows = decide_rows<kind>,
                       .find_within_at_rest = find_within_at_rest<kind>,
-                      .measure = measure<kind>,
-                      .decide_list = decide_list<kind>};
+                      .measure = measure<kind>};
   if constexpr (can_cross(kind)) {
     kernels.may_end_step = may_end_step<kind>;
     kernels.filter = filter<kind>;
-    kernels.solve = solve<kind>;
   }
   return kernels;
 }
@@ -50,7 +49,7 @@ constexpr PairKernels kernels_of() {
 constexpr PairKernels kAlongEdges{.search = search<kVf, RestBoxes, Course::along_edge>,
                                   .slab = slab<kVf, Course::along_edge>,
                                   .filter = filter<kVf, Course::along_edge>,
-                                  .solve = solve<kVf, Course::along_edge>};
+                                  .decide = decide_along_edges};
 
 }  // namespace
 

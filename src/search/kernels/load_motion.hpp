@@ -10,6 +10,9 @@ namespace tamis::TAMIS_ISA {
 /// (PairBuffer).
 enum class Course { step, along_edge };
 
+/// How many corners a pair in a buffer has.
+constexpr int corners_of(Course course) { return course == Course::along_edge ? 5 : 4; }
+
 /// scale_below_one() (numbers/scale.hpp) in lanes: 2^(-1-exponent), kept in the normal range. For 0 the two differ.
 inline DoubleLanes scale_to_one(const DoubleLanes& size) {
   using Int64Lanes = xsimd::batch<std::int64_t, Arch>;
@@ -65,6 +68,17 @@ inline PairMotion<DoubleLanes> load_motion(Vertices vertices, const PairBuffer& 
           scale * size_f,
           scale * size_d,
           scale * load_separation<kind>(vertices, pairs, first, separation)};
+}
+
+/// The sum of all components: not finite if one of them is not.
+inline DoubleLanes sum(const Moving<DoubleLanes>& v) {
+  return (v.at0.x + v.at0.y + v.at0.z) + (v.at1.x + v.at1.y + v.at1.z);
+}
+
+/// Bits of the lanes all of whose numbers are finite.
+inline unsigned finite_lanes(const PairMotion<DoubleLanes>& m) {
+  const DoubleLanes all = sum(m.e) + sum(m.f) + sum(m.d);
+  return bits(all - all == DoubleLanes(0));  // NOLINT(misc-redundant-expression): NaN where all is not finite
 }
 
 inline Vec3<FloatLanes> to_float(const Vec3<DoubleLanes>& low, const Vec3<DoubleLanes>& high) {

@@ -30,16 +30,14 @@ struct Query {
   const std::function<bool()>& is_cancelled;
   Question question = Question::all_contacts;
   bool ignores_start = false;  ///< AtStart::ignore; `fail` is asked as `report`
-  /// Contacts and intersections have the bits of decide(), which depend on their pair alone; else the last digits of
-  /// crossings may also depend on what else is in the mesh. (With a separation lanes have these bits always.)
-  /// Intersections then also ask `filter.accepts`, of the edge's first vertex and the face.
-  bool depends_on_pair_alone = false;
+  /// `filter.accepts` is called for intersections, too: with the edge's first vertex and the face.
+  bool accepts_intersections = false;
   /// The frame of the whole scene, if the mesh is a part of it; null: that of the mesh.
   const BoxFrame* frame = nullptr;
   /// The step is a piece of a path: the next one has other radii, so nothing is listed ahead.
   bool is_piece = false;
   /// With `earliest` the answers are the first contacts of these pairs of bodies; null: the first one of the mesh.
-  /// Other pairs of bodies are left out. REQUIRES: depends_on_pair_alone.
+  /// Other pairs of bodies are left out.
   const BodyPairs* each_of = nullptr;
   /// For find_step_ends alone, one a vertex: pairs all of whose vertices have 0 are known already, and may be left out
   /// of the answer. Empty: no pair is known.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <deque>
 #include <memory>
-#include <numeric>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -72,6 +71,19 @@ class GuardedTree {
   std::deque<Guarded<Index>> groups_;
 };
 
+/// The lists that a kernel decides a buffer into.
+class GuardedDecisions {
+ public:
+  explicit GuardedDecisions(Guard guard)
+      : touching_(std::vector<TouchingPair>(PairBuffer::kCapacity), guard),
+        undecided_(std::vector<std::int32_t>(PairBuffer::kCapacity), guard) {}
+  LaneDecisions lists() const { return {touching_.data(), undecided_.data()}; }
+
+ private:
+  const Guarded<TouchingPair> touching_;
+  const Guarded<std::int32_t> undecided_;
+};
+
 /// Searches from every leaf block of search.a; pairs go to `pairs`.
 void find(Search& search, void (*kernel)(Search&, int), PairBuffer& pairs) {
   search.pairs = &pairs;
@@ -85,15 +97,19 @@ std::array<int, 4> run(const Kernels& kernels, PairKind kind, const GuardedTree&
   const auto empty = std::make_unique<PairBuffer>();
   const Guarded<PairBuffer> boxes({empty.get(), 1}, guard), slab({empty.get(), 1}, guard),
       filtered({empty.get(), 1}, guard);
-  const std::vector<SolvedPair> none(PairBuffer::kCapacity);
-  const Guarded<SolvedPair> solved(none, guard);
+  const auto unused = std::make_unique<DecisionScratch>();
+  const GuardedDecisions room(guard);
+  LaneDecisions decisions = room.lists();
+  const Guarded<DecisionScratch> scratch({unused.get(), 1}, guard);
   Search search{a.view(), b.view()};
   find(search, kernels.of(kind).search, *boxes.data());
   kernels.of(kind).slab(motion, *boxes.data(), *slab.data());
   kernels.of(kind).filter(motion, *slab.data(), *filtered.data());
-  const int slab_count = slab.data()->count;
-  const int left = kernels.of(kind).solve(motion, *filtered.data(), *slab.data(), solved.data());
-  return {boxes.data()->count, slab_count, filtered.data()->count, left};
+  MotionView touching = motion;
+  touching.separation = {};
+  kernels.of(kind).decide(touching, 1, *filtered.data(), *scratch.data(), decisions);
+  const int left = decisions.touching_count + decisions.undecided_count;
+  return {boxes.data()->count, slab.data()->count, filtered.data()->count, left};
 }
 
 /// The search at rest: the number of pairs that it finds.
@@ -119,47 +135,45 @@ std::array<int, 2> run_near(const Kernels& kernels, PairKind kind, const Guarded
   return {found, near.data()->count};
 }
 
-/// The kernel of pair lists: each pair must be answered or left undecided.
+/// Each pair's place must be named once, or not at all.
+void expect_each_once(const LaneDecisions& decisions, int pairs) {
+  std::vector<std::int32_t> places(decisions.undecided, decisions.undecided + decisions.undecided_count);
+  for (int i = 0; i < decisions.touching_count; ++i) places.push_back(decisions.touching[i].pair);
+  std::ranges::sort(places);
+  EXPECT_TRUE(std::ranges::adjacent_find(places) == places.end());
+  EXPECT_TRUE(places.empty() || (0 <= places.front() && places.back() < pairs));
+}
+
+/// The kernel of pair lists.
 void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, const Soup& soup, Guard guard) {
   const Guarded<Point> start(soup.start, guard), end(soup.end, guard);
   const StepRows vertices{start.data()->data(), end.data()->data(), 3, 3};
-  const auto count = static_cast<std::size_t>(in.count);
-  const auto empty = std::make_unique<PairBuffer>();
+  const auto unused = std::make_unique<DecisionScratch>();
   for (const double min_separation : {0.0, 0.5}) {
-    std::vector<std::int32_t> numbers(count);
-    std::iota(numbers.begin(), numbers.end(), 0);
-    const Guarded<std::int32_t> places(numbers, guard), open(std::vector<std::int32_t>(count), guard);
-    const Guarded<PairBuffer> rest({empty.get(), 1}, guard);
-    PairResult none;
-    none.toi_lower = -1;
-    const Guarded<PairResult> results(std::vector<PairResult>(count, none), guard);
-    const auto unused = std::make_unique<WithinScratch>();
-    const Guarded<WithinScratch> within({unused.get(), 1}, guard);
-    const ListedPairs list{vertices, places.data(), min_separation, 1, within.data()};
-    const int left = kernels.of_kind[kind].decide_list(list, in, *rest.data(), results.data(), open.data());
-    const auto answered =
-        std::count_if(results.data(), results.data() + count, [](const PairResult& r) { return r.toi_lower >= 0; });
-    EXPECT_EQ(static_cast<std::size_t>(answered) + static_cast<std::size_t>(left), count) << kind;
+    const GuardedDecisions room(guard);
+    LaneDecisions decisions = room.lists();
+    const Guarded<DecisionScratch> scratch({unused.get(), 1}, guard);
+    kernels.of_kind[kind].decide_rows(vertices, min_separation, 1, in, *scratch.data(), decisions);
+    expect_each_once(decisions, in.count);
   }
 }
 
-/// The kernels with a separation: each pair that cull_apart leaves must be answered or left undecided.
+/// The kernels with a separation.
 void run_within(const Kernels& kernels, std::size_t kind, const PairBuffer& pairs, MotionView motion, Guard guard) {
   const auto empty = std::make_unique<PairBuffer>();
-  const auto unused = std::make_unique<WithinScratch>();
+  const auto unused = std::make_unique<DecisionScratch>();
   for (const float separation : {0x1p-20f, 0.5f}) {
     const Guarded<PairBuffer> in({&pairs, 1}, guard), left({empty.get(), 1}, guard);
-    const Guarded<WithinScratch> scratch({unused.get(), 1}, guard);
-    const Guarded<SolvedPair> solved(std::vector<SolvedPair>(PairBuffer::kCapacity), guard);
+    const Guarded<DecisionScratch> scratch({unused.get(), 1}, guard);
+    const GuardedDecisions room(guard);
+    LaneDecisions decisions = room.lists();
     motion.separation.fixed = motion.box_separation.fixed = separation;
     kernels.of_kind[kind].cull_apart(motion, *in.data(), *left.data());
     EXPECT_LE(left.data()->count, in.data()->count) << kind;
     EXPECT_LE(in.data()->count, pairs.count) << kind;
-    const int count = kernels.of_kind[kind].come_within(motion, 1, *left.data(), *scratch.data(), solved.data());
-    EXPECT_LE(count, left.data()->count) << kind;
-    const auto decided =
-        std::count_if(solved.data(), solved.data() + count, [](const auto& s) { return s.is_decided; });
-    EXPECT_GT(separation < 0.5f ? 1 : decided, 0) << kind;
+    kernels.of_kind[kind].decide(motion, 1, *left.data(), *scratch.data(), decisions);
+    expect_each_once(decisions, left.data()->count);
+    EXPECT_GT(separation < 0.5f ? 1 : decisions.touching_count, 0) << kind;
   }
 }
 

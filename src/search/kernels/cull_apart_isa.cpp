@@ -1,8 +1,8 @@
-// Kernels for pairs with a separation; compiled once for each instruction set.
+// Culls pairs that keep their separation; compiled once for each instruction set.
 #include "pair/distance/turning_gap.hpp"
-#include "search/kernels/advance_lanes.hpp"
 #include "search/kernels/compress.hpp"
 #include "search/kernels/isa_declarations.hpp"
+#include "search/kernels/load_motion.hpp"
 
 namespace tamis::TAMIS_ISA {
 namespace {
@@ -23,18 +23,6 @@ int cull_in_parts(int parts, const MotionView& motion, const PairBuffer& in, Pai
   return count;
 }
 
-/// The sink of AdvanceLanes that lists pairs that touch or are undecided.
-struct SolvedSink {
-  void free(std::int32_t) {}
-  void undecided(std::int32_t place) { out[count++] = {place, false, {}}; }
-  void touches(std::int32_t place, const ContactLanes& contacts, int lane) {
-    out[count++] = {place, true, contacts.result(lane)};
-  }
-
-  SolvedPair* out;
-  int count = 0;
-};
-
 }  // namespace
 
 template <PairKind kind>
@@ -43,22 +31,11 @@ void cull_apart(const MotionView& motion, PairBuffer& pairs, PairBuffer& out) {
   out.count = cull_in_parts<kind>(kTurningGapParts, motion, pairs, out);
 }
 
-template <PairKind kind>
-int come_within(const MotionView& motion, double latest, const PairBuffer& in, WithinScratch& scratch,
-                SolvedPair* out) {
-  SolvedSink sink{out};
-  AdvanceLanes<kind, const PackedVertex*, SolvedSink>(motion.vertices, motion.separation, latest, scratch, sink)
-      .run(in);
-  return sink.count;
-}
-
-#define TAMIS_WITHIN(kind)                                                               \
-  template void cull_apart<PairKind::kind>(const MotionView&, PairBuffer&, PairBuffer&); \
-  template int come_within<PairKind::kind>(const MotionView&, double, const PairBuffer&, WithinScratch&, SolvedPair*);
-TAMIS_WITHIN(vertex_face)
-TAMIS_WITHIN(edge_edge)
-TAMIS_WITHIN(vertex_edge)
-TAMIS_WITHIN(vertex_vertex)
-#undef TAMIS_WITHIN
+#define TAMIS_CULL_APART(kind) template void cull_apart<PairKind::kind>(const MotionView&, PairBuffer&, PairBuffer&)
+TAMIS_CULL_APART(vertex_face);
+TAMIS_CULL_APART(edge_edge);
+TAMIS_CULL_APART(vertex_edge);
+TAMIS_CULL_APART(vertex_vertex);
+#undef TAMIS_CULL_APART
 
 }  // namespace tamis::TAMIS_ISA

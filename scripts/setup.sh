@@ -55,6 +55,6 @@ fi
 # The viewer's tools, in exactly the versions of its lock file.
 if [[ ${1:-} == --tests && ! tools/viewer/node_modules/.package-lock.json -nt tools/viewer/package-lock.json ]]; then
   echo "setup: installing the viewer's tools into tools/viewer/node_modules"
-  npm ci --prefix viewer --ignore-scripts --no-audit --no-fund
+  npm ci --prefix tools/viewer --ignore-scripts --no-audit --no-fund
   touch "tools/viewer/node_modules/.package-lock.json"
 fi

@@ -32,7 +32,7 @@ scripts/setup.sh --arm64 || no_packages "Debian's compiler for ARM, or qemu"
 
 cmake --preset arm64 -DTAMIS_ARM64_PACKAGES="$packages"
 cmake --build --preset arm64 --target "$target"
-scripts/setup.sh --tests
+scripts/setup.sh --all-tests
 cmake --preset dev
 cmake --build --preset dev --target tamis_same_bits
 

@@ -4,12 +4,12 @@
 
 #include "pair/narrow/decide.hpp"
 #include "pair/narrow/sharp_bracket.hpp"
-#include "paper/pairs.hpp"
 #include "paper/pipeline/interval_newton.hpp"
 #include "search/query/cancellation.hpp"
 #include "search/query/stage_counts.hpp"
 #include "search/query/stopwatch.hpp"
 #include "search/topology/at.hpp"
+#include "support/yardstick/pairs.hpp"
 
 namespace tamis::lab {
 namespace {

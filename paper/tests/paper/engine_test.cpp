@@ -6,6 +6,7 @@
 
 #include "paper/detector.hpp"
 #include "scenes/scene_list.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::lab {
 namespace {

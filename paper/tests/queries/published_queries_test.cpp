@@ -41,7 +41,7 @@ TEST_F(PublishedQueries, EveryMethodGivesTheAnswer) {
 TEST_F(PublishedQueries, AreReadAndHaveTheirAnswers) {
   std::size_t queries = 0;
   for (const QueryFile& file : query_files({folder_.string()}))
-    for (const Query& query : parse_queries(FileBytes(file.path).view(), file.kind.value(), file.path.string())) {
+    for (const Query& query : parse_queries(io::FileBytes(file.path).view(), file.kind.value(), file.path.string())) {
       EXPECT_TRUE(query.touches.has_value());
       ++queries;
     }

@@ -14,6 +14,8 @@
 namespace tamis::lab {
 namespace {
 
+using yardstick::are_adjacent, yardstick::in_contact_order, yardstick::lets_pass;
+
 constexpr bool is_vf(PairKind kind) { return kind == PairKind::vertex_face; }
 
 PairResult certified_contact(const ElementaryTest<double>& test) {

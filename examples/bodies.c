@@ -9,9 +9,9 @@ int main(void) {
   const tamis_mesh_input input = {.size = sizeof input, .vertex_count = 3, .faces = face, .face_count = 1};
   const tamis_motions stays = {.size = sizeof stays, .count = 1};
   const tamis_motions turns = {.size = sizeof turns, .count = 1, .links = &turn, .links_of_each = 1};
-  tamis_mesh *mesh;
+  tamis_mesh* mesh;
   tamis_shape *floor, *blade;
-  tamis_world *world;
+  tamis_world* world;
   tamis_contact contact;
   int32_t bodies[2];
   double lower, upper;
@@ -26,8 +26,8 @@ int main(void) {
   if (tamis_world_earliest(world, NULL, &lower, &upper, &count) != TAMIS_OK) puts(tamis_world_message(world));
   if (count > 0) {
     tamis_world_copy_contacts(world, 0, 1, &contact, sizeof contact);
-    printf("free before %.6f: then vertex %d of body %d meets body %d\n", lower, contact.vertices[0],
-           contact.bodies[0], contact.bodies[1]);
+    printf("free before %.6f: then vertex %d of body %d meets body %d\n", lower, contact.vertices[0], contact.bodies[0],
+           contact.bodies[1]);
   }
   tamis_world_free(world);
   tamis_shape_free(floor);

@@ -8,8 +8,8 @@ int main(void) {
   const double end[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0.25, 0.25, -1, 1, 0.5, 2, 0.5, 1, 2};
   const tamis_mesh_input input = {.size = sizeof input, .vertex_count = 6, .faces = faces, .face_count = 2};
   const tamis_step step = {.size = sizeof step, .vertex_count = 6, .start = start, .end = end};
-  tamis_mesh *mesh;
-  tamis_detector *detector = NULL;
+  tamis_mesh* mesh;
+  tamis_detector* detector = NULL;
   tamis_contact contact;
   size_t count = 0;
 

@@ -8,5 +8,6 @@ int main() {
   end[3] = {0.25, 0.25, -1};
   tamis::Detector detector(mesh);
   for (const auto& contact : detector.contacts({start, end}))
-    std::printf("vertex %d meets the face in [%.6f, %.6f]\n", contact.vertices[0], contact.toi_lower, contact.toi_upper);
+    std::printf("vertex %d meets the face in [%.6f, %.6f]\n", contact.vertices[0], contact.toi_lower,
+                contact.toi_upper);
 }

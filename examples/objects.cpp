@@ -13,5 +13,6 @@ int main() {
   tamis::Options options{.min_separation = 1.5};
   std::printf("as it is: %zu contacts\n", tamis::Detector(mesh, options).contacts({x, x}).size());
   options.filter.rings = 2;
-  std::printf("without pairs that one edge joins: %zu contacts\n", tamis::Detector(mesh, options).contacts({x, x}).size());
+  std::printf("without pairs that one edge joins: %zu contacts\n",
+              tamis::Detector(mesh, options).contacts({x, x}).size());
 }

@@ -13,7 +13,8 @@ int main() {
   for (const auto& c : detector.contacts({start, end})) {
     const bool is_bar = c.kind == tamis::PairKind::edge_edge;
     const auto [first, second] = tamis::features_of(mesh, c.kind, c.vertices);
-    std::printf("%s meets edge %d at t = %.6f\n", is_bar ? "the bar" : "the particle", is_bar ? first : second, c.toi_upper);
+    std::printf("%s meets edge %d at t = %.6f\n", is_bar ? "the bar" : "the particle", is_bar ? first : second,
+                c.toi_upper);
   }
   const auto safe = detector.safe_step({start, end}, 0.5);
   std::printf("half of all distances is kept until t = %.6f\n", safe.lower);

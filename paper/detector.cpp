@@ -6,8 +6,8 @@
 
 #include "api/detector_access.hpp"
 #include "api/enum_names.hpp"
-#include "paper/brute.hpp"
 #include "paper/pipeline/engine.hpp"
+#include "support/yardstick/brute.hpp"
 
 namespace tamis::lab {
 namespace {
@@ -53,7 +53,7 @@ Detector make_detector(Mesh mesh, const Options& options, TriangleCounts* counts
       case Method::paper:
         return make_paper_engine(of, given, options.paper, counts);
       case Method::brute:
-        return make_brute_engine(of, given);
+        return yardstick::make_brute_engine(of, given);
       case Method::tamis:
         break;
     }

@@ -24,13 +24,13 @@ OUTSIDE = {"include/tamis": [], "bindings/c": [], "bindings/python/src": ["pytho
            "benchmarks/paths": ["scenes", "benchmarks"], "benchmarks/questions": ["scenes", "files", "benchmarks", "questions"],
            "benchmarks/subspace": ["scenes", "benchmarks", "paper"], "benchmarks/worlds": ["scenes", "benchmarks", "worlds"],
            # The laboratory: its methods may include all layers; its queries and its command may not.
-           "paper": ["scenes", *LAYER], "paper/queries": ["files", "paper"], "paper/command": ["files", "scenes", "command", "paper"]}
+           "paper": ["scenes", "support/yardstick", *LAYER], "paper/queries": ["files", "paper"], "paper/command": ["files", "scenes", "command", "paper"]}
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 
 def room_of(include: str) -> str:
     """Return the layer, or the folder, of an included file."""
-    return next((layer for layer in LAYER if include.startswith(layer + "/")), include.split("/")[0])
+    return next((layer for layer in (*LAYER, "support/yardstick") if include.startswith(layer + "/")), include.split("/")[0])
 
 
 def may_include(user: str, used: str) -> bool:

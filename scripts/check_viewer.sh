@@ -7,7 +7,7 @@ cd "$(dirname "$0")/../tools/viewer"
 
 skip() { echo "skipped: $1"; exit 77; }
 command -v node >/dev/null || skip "no node"
-[[ -d node_modules ]] || skip "no tools/viewer/node_modules: scripts/setup.sh --tests installs it"
+[[ -d node_modules ]] || skip "no tools/viewer/node_modules: scripts/setup.sh --all-tests installs it"
 case $1 in
   style)
     node_modules/.bin/tsc --noEmit

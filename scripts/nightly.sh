@@ -13,15 +13,16 @@ export TAMIS_IPCTK_MESHES=1000  # random meshes for which tamis.compat.ipctk is 
 failed=()
 run() { echo "nightly: $*"; "$@" || failed+=("$*"); }
 run scripts/setup.sh --blender  # the add-on's tests run in the program, too, if it is installed
-run scripts/test.sh
-run python3 scripts/build_host.py build/dev/python blender
-run env TAMIS_WHEEL="$(ls build/dev/python/dist/*.whl)" build/dev/python/blender/bin/python -m pytest bindings/python/tests/hosts/test_blender.py
+run scripts/test.sh --all
+run python3 scripts/build_host.py build/all/python blender
+run env TAMIS_WHEEL="$(ls build/all/python/dist/*.whl)" build/all/python/blender/bin/python -m pytest bindings/python/tests/hosts/test_blender.py
 run cmake --preset dev -B build/alone -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
 run cmake --build build/alone
-run scripts/check_tidy.sh build/dev/tidy --all
+run scripts/check_tidy.sh build/all/tidy --all
 for release in trixie bookworm; do
   run scripts/try_in_root.sh "$release" scripts/demo.sh
   run scripts/try_in_root.sh "$release" scripts/test.sh
+  run scripts/try_in_root.sh "$release" scripts/test.sh --all
 done
 run scripts/sanitize.sh address
 run scripts/sanitize.sh thread

@@ -34,7 +34,7 @@ case $kind in
   thread) preset=tsan options=("-DTBB_DIR=$PWD/build/tsan-tbb/installed/lib/cmake/TBB") ;;
   *) echo "sanitize.sh: say address or thread" >&2; exit 2 ;;
 esac
-scripts/setup.sh --tests
+scripts/setup.sh --all-tests
 [[ $kind != thread ]] || build_tbb
 cmake --preset "$preset" "${options[@]}"
 cmake --build --preset "$preset"

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # setup.sh [OPTION]: installs the packages of Debian or Ubuntu that Tamis needs and that are missing. An option adds others:
-#   --tests    the packages of the tests, and the viewer's tools
-#   --python   those to build the module for Python
-#   --blender  Blender, in which the add-on is tested (besides the module bpy)
-#   --arm64    those of the tests on 64-bit ARM
-#   --bench    those of the benchmarks, and the libraries that Tamis is compared with
+#   --core-tests   those of scripts/test.sh
+#   --all-tests    those of scripts/test.sh --all, and the viewer's tools
+#   --python       those to build the module for Python
+#   --blender      Blender, in which the add-on is tested (besides the module bpy)
+#   --arm64        those of the tests on 64-bit ARM
+#   --bench        those of the benchmarks, and the libraries that Tamis is compared with
 # Uses neither apt nor the network if nothing is missing. On other systems it prints what to install.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -15,7 +16,8 @@ clang=(clang libclang-rt-dev)
 packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
           libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev libb64-dev)
 case ${1:-} in
-  --tests)
+  --core-tests) packages+=(libgtest-dev python3 binutils git) ;;
+  --all-tests)
     packages+=(libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev
                libbullet-dev binutils valgrind "${clang[@]}" git debootstrap chromium)
     # Node from elsewhere than Debian has an npm of its own, and conflicts with Debian's.
@@ -26,7 +28,7 @@ case ${1:-} in
   --arm64) packages+=(g++-aarch64-linux-gnu qemu-user) ;;
   --bench) packages+=(libbenchmark-dev libembree-dev libcgal-dev libbullet-dev libfcl-dev python3-matplotlib) ;;
   "") ;;
-  *) echo "setup: no option is called $1: use --tests, --python, --blender, --arm64 or --bench" >&2; exit 2 ;;
+  *) echo "setup: no option is called $1: use --core-tests, --all-tests, --python, --blender, --arm64 or --bench" >&2; exit 2 ;;
 esac
 
 is_installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }
@@ -51,8 +53,8 @@ else
 fi
 
 # The viewer's tools, in exactly the versions of its lock file.
-if [[ ${1:-} == --tests && ! tools/viewer/node_modules/.package-lock.json -nt tools/viewer/package-lock.json ]]; then
+if [[ ${1:-} == --all-tests && ! tools/viewer/node_modules/.package-lock.json -nt tools/viewer/package-lock.json ]]; then
   echo "setup: installing the viewer's tools into tools/viewer/node_modules"
-  npm ci --prefix viewer --ignore-scripts --no-audit --no-fund
+  npm ci --prefix tools/viewer --ignore-scripts --no-audit --no-fund
   touch "tools/viewer/node_modules/.package-lock.json"
 fi

@@ -1,23 +1,21 @@
 #!/usr/bin/env bash
-# Set-up, build, all tests. Arguments go to ctest: `scripts/test.sh -R readme`.
-#   --quick   for the daily loop: without what takes minutes (tests by clang, clang-tidy, fuzzing, attacks, the module
-#             for Python, the crates, the viewer, packages built against an installed Tamis)
-#   --once    a checkout that is built this once and then thrown away: whole targets at a time, no debug information
+# Set-up, build and tests of the library, its C interface, files and command. Other arguments go to ctest:
+# `scripts/test.sh -R filters`.
+#   --all   every test: also those that need a second compiler, a browser, cargo, npm, PyPI or MPI
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-preset=dev
-if [[ ${1:-} == --once ]]; then
-  preset=once
+circle=core
+if [[ ${1:-} == --all ]]; then
+  circle=all
   shift
 fi
-quick=()
-if [[ ${1:-} == --quick ]]; then
-  quick=(-E '^(fuzz|hostile|python|rust|viewer|consumer|bench)[.]|^project[.](clang|tidy)')
-  shift
-fi
-scripts/setup.sh --tests
-cmake --preset "$preset"
-cmake --build --preset dev
-# One test more than there are cores, as some wait for PyPI, for a browser, or for other ranks.
-ctest --preset dev --parallel "$(($(nproc) + 1))" "${quick[@]}" "$@"
+case ${1:-} in
+  --once) echo "test.sh: --once is gone: use --all" >&2; exit 2 ;;
+  --quick) echo "test.sh: --quick is gone: scripts/test.sh without it runs the short tests" >&2; exit 2 ;;
+esac
+scripts/setup.sh "--$circle-tests"
+cmake --preset "$circle"
+cmake --build --preset "$circle"
+# One test more than there are cores, as some of --all wait for PyPI, for a browser, or for other ranks.
+ctest --preset "$circle" --parallel "$(($(nproc) + 1))" "$@"

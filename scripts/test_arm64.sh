@@ -32,13 +32,13 @@ scripts/setup.sh --arm64 || no_packages "Debian's compiler for ARM, or qemu"
 
 cmake --preset arm64 -DTAMIS_ARM64_PACKAGES="$packages"
 cmake --build --preset arm64 --target "$target"
-scripts/setup.sh --tests
+scripts/setup.sh --all-tests
 cmake --preset dev
 cmake --build --preset dev --target tamis_same_bits
 
 qemu=(qemu-aarch64 -L /usr/aarch64-linux-gnu -E LD_LIBRARY_PATH="$packages/usr/lib/aarch64-linux-gnu:$packages/lib/aarch64-linux-gnu")
 build/dev/tools/command/tests/same_bits/tamis_same_bits >build/same_bits_here.txt
-"${qemu[@]}" build/arm64/tests/same_bits/tamis_same_bits >build/same_bits_arm64.txt
+"${qemu[@]}" build/arm64/tools/command/tests/same_bits/tamis_same_bits >build/same_bits_arm64.txt
 diff build/same_bits_here.txt build/same_bits_arm64.txt
 cat build/same_bits_here.txt
 echo "the same on both: every bit of every contact"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # make.sh TAMIS START.ply END.ply: makes the pages and pictures of docs/looking.md. The frames are those of cloth-ball
-# (Sample-Scalable-CCD-Data, Apache-2.0). Needs the packages of scripts/setup.sh --tests.
+# (Sample-Scalable-CCD-Data, Apache-2.0). Needs the packages of scripts/setup.sh --all-tests.
 set -euo pipefail
 tamis=$(realpath "$1") start=$(realpath "$2") end=$(realpath "$3")
 cd "$(dirname "$0")"

@@ -4,16 +4,18 @@
 
 #include "pair/narrow/decide.hpp"
 #include "pair/narrow/sharp_bracket.hpp"
-#include "paper/pairs.hpp"
 #include "paper/pipeline/interval_newton.hpp"
 #include "search/query/cancellation.hpp"
 #include "search/query/stage_counts.hpp"
 #include "search/query/stopwatch.hpp"
 #include "search/query/what_counts.hpp"
 #include "search/topology/at.hpp"
+#include "support/yardstick/pairs.hpp"
 
 namespace tamis::lab {
 namespace {
+
+using yardstick::are_adjacent, yardstick::in_contact_order, yardstick::lets_pass;
 
 constexpr bool is_vf(PairKind kind) { return kind == PairKind::vertex_face; }
 

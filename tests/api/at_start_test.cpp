@@ -7,21 +7,21 @@
 
 #include "api/at_start_options.hpp"
 #include "pair/exact/exact.hpp"
-#include "paper/detector.hpp"
-#include "paper/pairs.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "search/query/pair_vertices.hpp"
 #include "support/as_new.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
+#include "support/yardstick/pairs.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::test {
 namespace {
 
-using lab::Method;
 using scenes::Recipe, scenes::Scene;
+using yardstick::Method;
 
 bool starts_touching(const Contact& contact) { return contact.toi_upper == 0; }
 
@@ -31,7 +31,7 @@ struct Truth {
 };
 Truth truth_of(const Scene& scene, double separation) {
   Truth truth;
-  lab::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
+  yardstick::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
     const PairPoints points = points_of(scene.step(), v);
     if (decide_recontact_exactly(kind, points, separation).touches())
       truth.counted.insert({kind, v});
@@ -72,7 +72,7 @@ TEST(AtStart, IgnoredPairsCountOnceApartByEveryMethod) {
       const Truth truth = truth_of(scene, separation);
       for (const Method method : kMethods) {
         SCOPED_TRACE(std::string(name_of(method)) + ", seed " + std::to_string(seed));
-        Detector detector = lab::make_detector(scene.mesh(), with(method, separation));
+        Detector detector = yardstick::make_detector(scene.mesh(), with(method, separation));
         const std::vector<Contact> reported = detector.contacts(scene.step());
         const std::vector<Contact> counted = detector.contacts(scene.step(), kIgnore);
         EXPECT_EQ(missing(truth.counted, names_of(counted)), "") << "missed";
@@ -102,7 +102,7 @@ class AtStartIn : public testing::TestWithParam<Recipe> {
 // Bugs: other bits of a contact that does not touch at the start; a thread, an instruction set or an earlier question
 // that changes a bit; ignored pairs that are not counted, or counted twice.
 TEST_P(AtStartIn, NothingElseChanges) {
-  Detector one = lab::make_detector(scene.mesh(), with(Method::tamis, separation));
+  Detector one = yardstick::make_detector(scene.mesh(), with(Method::tamis, separation));
   std::vector<Contact> reported = one.contacts(scene.step());
   const std::vector<Contact> counted = one.contacts(scene.step(), kIgnore);
   const std::uint64_t ignored = one.statistics().ignored;
@@ -116,10 +116,10 @@ TEST_P(AtStartIn, NothingElseChanges) {
   EXPECT_EQ(bits_of(others), bits_of(reported));
   EXPECT_EQ(counted.size() + ignored, all);
   for (const Isa isa : {Isa::best, Isa::baseline}) {
-    lab::Options options = with(Method::tamis, separation);
+    yardstick::Options options = with(Method::tamis, separation);
     options.threads = isa == Isa::best ? 2 : 1;
     options.isa = isa;
-    Detector other = lab::make_detector(scene.mesh(), options);
+    Detector other = yardstick::make_detector(scene.mesh(), options);
     EXPECT_EQ(bits_of(other.contacts(scene.step(), kIgnore)), bits_of(counted));
     EXPECT_EQ(other.statistics().ignored, ignored);
     for (const Asked asked : {Asked::earliest, Asked::is_free, Asked::safe_step, Asked::contacts})
@@ -133,14 +133,14 @@ TEST_P(AtStartIn, StepLengthsAreThoseOfEveryPair) {
   const Scene few = GetParam().make(40, 23);
   for (const double fraction : {0.0, 0.1, 0.7}) {
     const SafeStep truth =
-        lab::make_detector(few.mesh(), with(Method::brute, separation)).safe_step(few.step(), fraction, kIgnore);
+        yardstick::make_detector(few.mesh(), with(Method::brute, separation)).safe_step(few.step(), fraction, kIgnore);
     const SafeStep found =
-        lab::make_detector(few.mesh(), with(Method::tamis, separation)).safe_step(few.step(), fraction, kIgnore);
+        yardstick::make_detector(few.mesh(), with(Method::tamis, separation)).safe_step(few.step(), fraction, kIgnore);
     EXPECT_EQ(found.lower, truth.lower);
     EXPECT_EQ(found.upper, truth.upper);
     EXPECT_EQ(found.pair.has_value(), truth.pair.has_value());
     const EarliestContact first =
-        lab::make_detector(few.mesh(), with(Method::tamis, separation)).earliest(few.step(), kIgnore);
+        yardstick::make_detector(few.mesh(), with(Method::tamis, separation)).earliest(few.step(), kIgnore);
     EXPECT_LE(found.lower, first.toi_upper);
   }
 }
@@ -148,7 +148,7 @@ TEST_P(AtStartIn, StepLengthsAreThoseOfEveryPair) {
 // Bugs: a truncated step in which an ignored pair comes apart and back; one that ends as if the pair were reported.
 TEST_P(AtStartIn, TruncatedStepsAreFreeOfWhatCounts) {
   const Scene few = GetParam().make(60, 29);
-  Detector detector = lab::make_detector(few.mesh(), with(Method::tamis, separation));
+  Detector detector = yardstick::make_detector(few.mesh(), with(Method::tamis, separation));
   const TruncatedStep to = detector.truncate(few.step(), 0.1, kIgnore);
   EXPECT_TRUE(to.is_free);
   EXPECT_TRUE(detector.is_free({few.start, to.positions}, kIgnore));
@@ -162,7 +162,7 @@ TEST_P(AtStartIn, EveryQuestionFailsForTheSamePair) {
   const Scene few = GetParam().make(60, 31);
   std::string first;
   for (const Method method : kMethods) {
-    Detector detector = lab::make_detector(few.mesh(), with(method, separation));
+    Detector detector = yardstick::make_detector(few.mesh(), with(method, separation));
     const bool touches = !detector.is_free({few.start, few.start});
     const auto expect_failure = [&](const char* what, const auto& ask) {
       try {
@@ -226,7 +226,7 @@ struct Throw {
 TEST(AtStart, AClothThatStartsOnABallLeavesItAndLandsOnIt) {
   constexpr double kSeparation = 0x1p-6, kStep = 1.0 / 64;
   Throw sheet(kSeparation / 2);
-  Detector detector = lab::make_detector(sheet.scene.mesh(), with(Method::tamis, kSeparation));
+  Detector detector = yardstick::make_detector(sheet.scene.mesh(), with(Method::tamis, kSeparation));
   double highest = 0;
   std::uint64_t ignored = 0;
   for (int step = 0; step < 40; ++step) {

@@ -13,13 +13,13 @@
 #include <limits>
 #include <thread>
 
-#include "paper/detector.hpp"
 #include "support/every_question.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
 
 namespace tamis::test {
 
-using lab::Method;
+using yardstick::Method;
 
 namespace {
 
@@ -74,11 +74,11 @@ class Callbacks : public testing::Test {
       for (const AnyQuestion& question : questions) {
         NowAndThen callback(act);
         arena_.execute([&] {
-          Detector detector = lab::make_detector(mesh, make_options(callback));
+          Detector detector = yardstick::make_detector(mesh, make_options(callback));
           const auto expected = question.ask(detector);
           callback.act_often();
           EXPECT_TRUE(question.ask(detector) == expected) << question.name << ", of a kept detector";
-          Detector another = lab::make_detector(mesh, make_options(callback));
+          Detector another = yardstick::make_detector(mesh, make_options(callback));
           EXPECT_TRUE(question.ask(another) == expected) << question.name;
         });
       }
@@ -92,19 +92,19 @@ class Callbacks : public testing::Test {
 
 class CallbacksOfMethod : public Callbacks, public testing::WithParamInterface<Method> {
  protected:
-  lab::Options options() const {
-    lab::Options options;
+  yardstick::Options options() const {
+    yardstick::Options options;
     options.method = GetParam();
     return options;
   }
-  const Index cells_ = GetParam() == Method::tamis ? 40 : 16;
+  const Index cells_ = GetParam() == Method::tamis ? 40 : 6;
   const Scene scene_ = two_sheets(cells_);
   const std::vector<AnyQuestion> questions_ = questions_of(scene_, 0.3 * edge_of_sheets(cells_));
 };
 
 TEST_P(CallbacksOfMethod, AFilterMayAskBack) {
   expect_same_answers(scene_.mesh(), questions_, [&](NowAndThen& callback) {
-    lab::Options filtered = options();
+    yardstick::Options filtered = options();
     filtered.filter.accepts = [&](PairKind, const std::array<Index, 4>&) {
       callback.called();
       return true;
@@ -115,7 +115,7 @@ TEST_P(CallbacksOfMethod, AFilterMayAskBack) {
 
 TEST_P(CallbacksOfMethod, CancellationMayAskBack) {
   expect_same_answers(scene_.mesh(), questions_, [&](NowAndThen& callback) {
-    lab::Options cancelled = options();
+    yardstick::Options cancelled = options();
     cancelled.is_cancelled = [&] {
       callback.called();
       return false;
@@ -124,7 +124,7 @@ TEST_P(CallbacksOfMethod, CancellationMayAskBack) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, CallbacksOfMethod, testing::Values(Method::tamis, Method::paper),
+INSTANTIATE_TEST_SUITE_P(Methods, CallbacksOfMethod, testing::Values(Method::tamis, Method::brute),
                          [](const testing::TestParamInfo<Method>& method) { return test_name(name_of(method.param)); });
 
 /// Calls the callback, then answers as another path does.

@@ -3,10 +3,10 @@
 
 #include <atomic>
 
-#include "paper/detector.hpp"
 #include "scenes/scene_list.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 
@@ -27,9 +27,9 @@ class Cancellation : public testing::TestWithParam<Method> {
 
   /// Expects the contacts and times that a detector finds which was never cancelled.
   void expect_whole_answer(Detector& detector) {
-    lab::Options plain;
+    yardstick::Options plain;
     plain.method = GetParam();
-    Detector other = lab::make_detector(scene.mesh(), plain);
+    Detector other = yardstick::make_detector(scene.mesh(), plain);
     const auto& expected = other.contacts(scene.step());
     cancel_at = kNever;
     const auto& contacts = detector.contacts(scene.step());
@@ -41,13 +41,13 @@ class Cancellation : public testing::TestWithParam<Method> {
   }
 
   Scene scene = scenes::scene_by_name("soup", GetParam() == Method::brute ? 20 : 400, 3);
-  lab::Options options;
+  yardstick::Options options;
   std::atomic<int> asked = 0;
   std::atomic<int> cancel_at = kNever;
 };
 
 TEST_P(Cancellation, EndsEveryQuestionAndTheNextOneIsAnsweredInFull) {
-  Detector detector = lab::make_detector(scene.mesh(), options);
+  Detector detector = yardstick::make_detector(scene.mesh(), options);
   const auto cancelled = [&](const auto& question) {
     asked = 0;
     cancel_at = 1;  // then some pairs are decided, and others wait in buffers
@@ -61,12 +61,12 @@ TEST_P(Cancellation, EndsEveryQuestionAndTheNextOneIsAnsweredInFull) {
 
 TEST_P(Cancellation, AtAnyMomentLeavesTheDetectorUsable) {
   asked = 0;
-  EXPECT_FALSE(lab::make_detector(scene.mesh(), options).contacts(scene.step()).empty());
+  EXPECT_FALSE(yardstick::make_detector(scene.mesh(), options).contacts(scene.step()).empty());
   const int moments = asked;
   ASSERT_GT(moments, 2) << "too few to stop in the middle";
   for (int moment = 0; moment < moments; moment += 1 + moments / 8) {
     // A new detector: a kept one may have listed pairs, and calls is_cancelled less often.
-    Detector detector = lab::make_detector(scene.mesh(), options);
+    Detector detector = yardstick::make_detector(scene.mesh(), options);
     asked = 0;
     cancel_at = moment;
     EXPECT_THROW(detector.contacts(scene.step()), Cancelled);
@@ -90,18 +90,18 @@ Scene points_over_a_face(Index rows, double height) {
 TEST_P(Cancellation, ComesBetweenPairsThatAreDecidedOneByOne) {
   options.min_separation = 0.125;
   const Scene over = points_over_a_face(11, 0.125);
-  Detector detector = lab::make_detector(over.mesh(), options);
+  Detector detector = yardstick::make_detector(over.mesh(), options);
   EXPECT_EQ(detector.contacts(over.step()).size(), 121u);
   EXPECT_GE(asked, 100);
 }
 
 TEST_P(Cancellation, ThatNeverHappensChangesNothing) {
-  Detector detector = lab::make_detector(scene.mesh(), options);
+  Detector detector = yardstick::make_detector(scene.mesh(), options);
   expect_whole_answer(detector);
   EXPECT_GT(asked, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Cancellation, testing::Values(Method::tamis, Method::paper, Method::brute),
+INSTANTIATE_TEST_SUITE_P(Methods, Cancellation, testing::Values(Method::tamis, Method::brute),
                          [](const testing::TestParamInfo<Method>& method) { return test_name(name_of(method.param)); });
 
 }  // namespace

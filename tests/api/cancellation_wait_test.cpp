@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "paper/detector.hpp"
 #include "support/every_question.hpp"
 #include "support/test_names.hpp"
 #include "support/thread_seconds.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/error.hpp"
 #include "tamis/pair.hpp"
 #include "tamis/rigid_path.hpp"
@@ -15,7 +15,7 @@
 
 namespace tamis::test {
 
-using lab::Method;
+using yardstick::Method;
 
 namespace {
 
@@ -64,8 +64,8 @@ class Waits {
   bool was_cancelled_ = false;
 };
 
-lab::Options alone(Waits& waits, Method method = Method::tamis) {
-  lab::Options options;
+yardstick::Options alone(Waits& waits, Method method = Method::tamis) {
+  yardstick::Options options;
   options.method = method;
   options.threads = 1;
   options.is_cancelled = waits.is_cancelled();
@@ -75,11 +75,11 @@ lab::Options alone(Waits& waits, Method method = Method::tamis) {
 class CancellationWait : public testing::TestWithParam<Method> {};
 
 TEST_P(CancellationWait, IsShortInAMeshOfManyTriangles) {
-  const Index cells = GetParam() == Method::tamis ? 120 : GetParam() == Method::paper ? 30 : 6;
+  const Index cells = GetParam() == Method::tamis ? 120 : 6;
   const Scene scene = two_sheets(cells);
   Waits waits(1);
   for (const AnyQuestion& question : questions_of(scene, 0.3 * edge_of_sheets(cells))) {
-    Detector detector = lab::make_detector(scene.mesh(), alone(waits, GetParam()));
+    Detector detector = yardstick::make_detector(scene.mesh(), alone(waits, GetParam()));
     for (const char* const when : {"asked first", "then", "and again, from the same start"})
       EXPECT_LT(waits.longest_of([&] { question.ask_only(detector); }), kLongestWait) << question.name << ", " << when;
   }
@@ -90,12 +90,12 @@ TEST_P(CancellationWait, IsShortOnAPath) {
   const Scene scene = two_sheets(cells);
   const BezierPath path = bent_path(scene);
   Waits waits(0.5);
-  Detector detector = lab::make_detector(scene.mesh(), alone(waits, GetParam()));
+  Detector detector = yardstick::make_detector(scene.mesh(), alone(waits, GetParam()));
   for (const AnyQuestion& question : questions_of(path, 0.1 * edge_of_sheets(cells)))
     EXPECT_LT(waits.longest_of([&] { question.ask_only(detector); }), kLongestWait) << question.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, CancellationWait, testing::Values(Method::tamis, Method::paper, Method::brute),
+INSTANTIATE_TEST_SUITE_P(Methods, CancellationWait, testing::Values(Method::tamis, Method::brute),
                          [](const testing::TestParamInfo<Method>& method) { return test_name(name_of(method.param)); });
 
 Options alone_in_the_library(Waits& waits) {
@@ -210,9 +210,9 @@ class HardPaths : public testing::TestWithParam<HardPath> {
 
 TEST_P(HardPaths, EndSoonOnceCancelled) {
   Waits waits(0.1);
-  lab::Options options = alone(waits);
+  yardstick::Options options = alone(waits);
   options.filter = PairFilter::no_self_contact(squares_.body);
-  Detector detector = lab::make_detector(squares_.mesh(), options);
+  Detector detector = yardstick::make_detector(squares_.mesh(), options);
   for (const AnyQuestion& question : questions_of(path_, 1e-14))
     EXPECT_LT(waits.longest_of([&] { question.ask_only(detector); }), kLongestWait) << question.name;
   EXPECT_TRUE(waits.was_cancelled()) << "these were easy";

@@ -2,9 +2,9 @@
 // one decides the answer, and a search that goes on when nothing can change the answer any more.
 #include <gtest/gtest.h>
 
-#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {
@@ -24,7 +24,7 @@ scenes::Scene pile_of(Index triangles) {
 class Coincident : public testing::TestWithParam<Method> {
  protected:
   Coincident() { options.method = GetParam(); }
-  lab::Options options;
+  yardstick::Options options;
 };
 
 TEST_P(Coincident, TheFirstOfMillionsOfContactsNeedsLittleMemoryAndFewDecisions) {
@@ -32,7 +32,7 @@ TEST_P(Coincident, TheFirstOfMillionsOfContactsNeedsLittleMemoryAndFewDecisions)
   const scenes::Scene pile = pile_of(triangles);
   const auto contacts =
       std::uint64_t(triangles) * static_cast<std::uint64_t>(triangles - 1) * 15 / 2;  // 9 ee / 2, 3 vf
-  Detector detector = lab::make_detector(pile.mesh(), options);
+  Detector detector = yardstick::make_detector(pile.mesh(), options);
   EXPECT_FALSE(detector.is_free(pile.step()));
   const auto decided = [&] {
     const PrecisionCount& by = detector.statistics().decided_by;
@@ -54,7 +54,7 @@ TEST_P(Coincident, AllMethodsAndThreadsNameTheSameFirstContact) {
   const scenes::Scene pile = pile_of(40);
   for (const int threads : {1, 4}) {
     options.threads = threads;
-    const EarliestContact first = lab::make_detector(pile.mesh(), options).earliest(pile.step());
+    const EarliestContact first = yardstick::make_detector(pile.mesh(), options).earliest(pile.step());
     ASSERT_TRUE(first.contact);
     EXPECT_EQ(first.contact->vertices, (std::array<Index, 4>{0, 3, 4, 5}));
   }

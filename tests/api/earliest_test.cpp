@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/flat_sheets.hpp"
 #include "support/shortened.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {
@@ -16,8 +16,8 @@ namespace {
 
 using scenes::Recipe, scenes::Scene;
 
-void check_questions(const Scene& scene, const lab::Options& options) {
-  Detector detector = lab::make_detector(scene.mesh(), options);
+void check_questions(const Scene& scene, const yardstick::Options& options) {
+  Detector detector = yardstick::make_detector(scene.mesh(), options);
   const std::vector<Contact> contacts = detector.contacts(scene.step());
   EXPECT_EQ(detector.is_free(scene.step()), contacts.empty());
   const EarliestContact earliest = detector.earliest(scene.step());
@@ -52,25 +52,21 @@ class Questions : public testing::TestWithParam<Recipe> {};
 TEST_P(Questions, EarliestAndFreeAgreeWithAllContacts) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Scene scene = GetParam().make(150, 12 + seed);
-    for (const Method method : {Method::tamis, Method::paper})
-      for (const double part : {1.0, 0.125, 0.0}) {
-        lab::Options options;
-        options.method = method;
-        SCOPED_TRACE(scene.name + " by " + std::string(name_of(method)) + ", seed " + std::to_string(12 + seed) +
-                     ", part " + std::to_string(part));
-        check_questions(shortened(scene, part), options);
-      }
+    for (const double part : {1.0, 0.125, 0.0}) {
+      SCOPED_TRACE(scene.name + ", seed " + std::to_string(12 + seed) + ", part " + std::to_string(part));
+      check_questions(shortened(scene, part), {});
+    }
   }
 }
 
 TEST_P(Questions, ThreadsChangeNoBitOfTheEarliestContact) {
   const Scene scene = GetParam().make(GetParam().scales ? 5000 : 400, 31);
-  lab::Options options;
+  yardstick::Options options;
   options.threads = 1;
-  const EarliestContact one = lab::make_detector(scene.mesh(), options).earliest(scene.step());
+  const EarliestContact one = yardstick::make_detector(scene.mesh(), options).earliest(scene.step());
   options.threads = 2;
   for (int repetition = 0; repetition < 3; ++repetition) {
-    const EarliestContact two = lab::make_detector(scene.mesh(), options).earliest(scene.step());
+    const EarliestContact two = yardstick::make_detector(scene.mesh(), options).earliest(scene.step());
     EXPECT_EQ(one.toi_lower, two.toi_lower);
     EXPECT_EQ(one.toi_upper, two.toi_upper);
     ASSERT_EQ(one.contact.has_value(), two.contact.has_value());

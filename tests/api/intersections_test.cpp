@@ -6,10 +6,10 @@
 #include <set>
 
 #include "pair/exact/exact.hpp"
-#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/kernels_here.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 
@@ -53,9 +53,9 @@ TEST_P(IntersectionsOf, AreThoseOfEveryEdgeWithEveryFace) {
       return decide_exactly(PairKind::vertex_face, {start, end}).touches();
     });
     for (const Method method : kMethods) {
-      lab::Options options;
+      yardstick::Options options;
       options.method = method;
-      Detector detector = lab::make_detector(scene.mesh(), options);
+      Detector detector = yardstick::make_detector(scene.mesh(), options);
       EXPECT_EQ(found_by(detector, scene.end), truth) << scene.name << " by " << name_of(method);
       EXPECT_EQ(detector.has_intersection(scene.end), !truth.empty());
       EXPECT_EQ(found_by(detector, scene.end), truth) << "asked again";
@@ -84,11 +84,11 @@ TEST_P(IntersectionsOf, HaveTheSameBitsWithAnyThreadsAndInstructionSet) {
   const auto reference = Detector(scene.mesh()).intersections(scene.end);
   for (const Isa isa : every_isa())
     for (const int threads : {1, 3}) {
-      lab::Options options;
+      yardstick::Options options;
       options.isa = isa;
       options.threads = threads;
       try {
-        const auto found = lab::make_detector(scene.mesh(), options).intersections(scene.end);
+        const auto found = yardstick::make_detector(scene.mesh(), options).intersections(scene.end);
         EXPECT_TRUE(std::equal(found.begin(), found.end(), reference.begin(), reference.end(), are_same))
             << name_of(isa) << ", " << threads << " threads";
       } catch (const InvalidOptions&) {  // this machine lacks the instruction set
@@ -134,15 +134,15 @@ TEST(IntersectionsThatOnlyTouch, Count) {
 
 // Bug: intersections of groups that may pass through each other are reported.
 TEST(IntersectionsOfGroups, FollowTheFilter) {
-  lab::Options options;
+  yardstick::Options options;
   const std::vector<Point> pierced{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, -1}, {0.2, 0.2, 1}};
   for (const Method method : kMethods) {
     options.method = method;
     options.filter = PairFilter::no_self_contact({0, 0, 0, 0, 0});
-    EXPECT_FALSE(lab::make_detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}), options).has_intersection(pierced))
+    EXPECT_FALSE(yardstick::make_detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}), options).has_intersection(pierced))
         << name_of(method);
     options.filter = PairFilter::no_self_contact({0, 0, 0, 1, 1});
-    EXPECT_TRUE(lab::make_detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}), options).has_intersection(pierced))
+    EXPECT_TRUE(yardstick::make_detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}), options).has_intersection(pierced))
         << name_of(method);
   }
 }

@@ -5,10 +5,10 @@
 #include <limits>
 #include <numbers>
 
-#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/step_lengths.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::test {
@@ -116,7 +116,7 @@ TEST_P(KnownStep, FacesOfNoAreaKeepTheirDistanceToo) {
 
 TEST_P(KnownStep, FiltersLeaveOutPairs) {
   const Scene scene = falling_point(1, -1);
-  lab::Options options = with(GetParam());
+  yardstick::Options options = with(GetParam());
   options.filter.accepts = [](PairKind, const std::array<Index, 4>&) { return false; };
   for (const double fraction : {0.0, 0.5}) EXPECT_EQ(keep(scene, fraction, options).lower, 1);
 }

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "paper/detector.hpp"
-#include "paper/pairs.hpp"
 #include "scenes/random.hpp"
 #include "support/contact_sets.hpp"
+#include "support/yardstick/methods.hpp"
+#include "support/yardstick/pairs.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {
@@ -39,7 +39,7 @@ Scene rods_and_particles(Index rods, Index particles, std::uint64_t seed) {
 
 PairSet truth_of(const Scene& scene, double separation) {
   PairSet truth;
-  lab::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
+  yardstick::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
     const oracle::Motion motion = motion_of(scene, v);
     if (separation > 0 ? oracle::comes_within(kind, motion, separation) : oracle::touches(kind, motion))
       truth.insert({kind, v});
@@ -80,10 +80,10 @@ TEST(LooseFeatures, MeetInEveryMethodAndQuestion) {
       for (const Method method : kMethods) {
         SCOPED_TRACE(std::string(name_of(method)) + ", seed " + std::to_string(seed) + ", " +
                      std::to_string(separation));
-        lab::Options options;
+        yardstick::Options options;
         options.method = method;
         options.min_separation = separation;
-        Detector detector = lab::make_detector(scene.mesh(), options);
+        Detector detector = yardstick::make_detector(scene.mesh(), options);
         const std::vector<Contact> contacts = detector.contacts(scene.step());
         EXPECT_EQ(names_of(contacts).size(), contacts.size()) << "a pair twice";
         EXPECT_EQ(missing(truth, names_of(contacts)), "") << "missed";
@@ -102,9 +102,9 @@ TEST(LooseFeatures, EndTheStepAsContactsDo) {
   scene.loose_points.push_back(scene.add_vertex({9, 0, 4}, {9, 0, 4}, 1));
   for (const Method method : kMethods) {
     SCOPED_TRACE(name_of(method));
-    lab::Options options;
+    yardstick::Options options;
     options.method = method;
-    Detector detector = lab::make_detector(scene.mesh(), options);
+    Detector detector = yardstick::make_detector(scene.mesh(), options);
     const EarliestContact first = detector.earliest(scene.step(), {.min_separation = 2.0});
     ASSERT_TRUE(first.contact.has_value());
     EXPECT_EQ(first.contact->kind, PairKind::vertex_edge);

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "paper/detector.hpp"
-#include "paper/pairs.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
+#include "support/yardstick/pairs.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {
@@ -17,14 +17,14 @@ using scenes::Recipe, scenes::Scene;
 
 PairSet truth_of(const Scene& scene, const PairFilter& filter, double separation) {
   PairSet truth;
-  lab::for_each_pair(scene.mesh(), filter, [&](PairKind kind, const PairVertices& v) {
+  yardstick::for_each_pair(scene.mesh(), filter, [&](PairKind kind, const PairVertices& v) {
     if (oracle::comes_within(kind, motion_of(scene, v), separation)) truth.insert({kind, v});
   });
   return truth;
 }
 
-void check(const Scene& scene, const lab::Options& options, const PairSet& truth) {
-  Detector detector = lab::make_detector(scene.mesh(), options);
+void check(const Scene& scene, const yardstick::Options& options, const PairSet& truth) {
+  Detector detector = yardstick::make_detector(scene.mesh(), options);
   const std::vector<Contact> contacts = detector.contacts(scene.step());
   EXPECT_EQ(missing(truth, names_of(contacts)), "") << "missed";
   EXPECT_EQ(missing(names_of(contacts), truth), "") << "made up";
@@ -60,7 +60,7 @@ TEST_P(MinSeparation, NoMethodMissesAPairThatComesNear) {
       for (const Method method : kMethods) {
         SCOPED_TRACE(scene.name + " by " + std::string(name_of(method)) + ", seed " + std::to_string(40 + seed) +
                      ", separation " + std::to_string(part) + " of the size");
-        lab::Options options = with(method, part * size);
+        yardstick::Options options = with(method, part * size);
         options.filter = filter;
         check(scene, options, truth);
       }

@@ -2,9 +2,9 @@
 // point loses 2 to 10 % of these contacts; no method may lose one.
 #include <gtest/gtest.h>
 
-#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
 
 namespace tamis::test {
 namespace {
@@ -22,7 +22,7 @@ TEST_P(Mirrored, NoMethodMissesAContactOnASymmetryPlane) {
     const PairSet truth = oracle_contacts(scene);
     EXPECT_GT(truth.size(), 100u) << "the scene does not touch";
     for (const Method method : kMethods) {
-      lab::Options options;
+      yardstick::Options options;
       options.method = method;
       EXPECT_EQ(missing(truth, find_names(scene, options)), "") << "missed by " << name_of(method) << ", seed " << seed;
       EXPECT_EQ(missing(find_names(scene, options), truth), "") << "made up by " << name_of(method);

@@ -6,11 +6,11 @@
 #include <limits>
 #include <random>
 
-#include "paper/detector.hpp"
 #include "scenes/scene_list.hpp"
 #include "support/ask_pair.hpp"
 #include "support/contact_sets.hpp"
 #include "support/pair_cases.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 
@@ -139,8 +139,8 @@ TEST(NarrowPhase, ListsOfADetectorsPairsTouchWhereItFindsContacts) {
   const scenes::Scene scene = scenes::scene_by_name("folded-cloth", 800, 3);
   const test::PairSet contacts = test::find_names(scene, {});
   std::vector<Pair> pairs;
-  lab::Options options;
-  options.method = lab::Method::brute;
+  yardstick::Options options;
+  options.method = yardstick::Method::brute;
   options.threads = 1;
   options.filter.accepts = [&](PairKind kind, const std::array<Index, 4>& vertices) {
     pairs.push_back({kind, vertices});

@@ -9,12 +9,12 @@
 
 #include "pair/exact/exact_distance.hpp"
 #include "pair/exact/nearest_point.hpp"
-#include "paper/detector.hpp"
-#include "paper/pairs.hpp"
 #include "scenes/random.hpp"
 #include "support/contact_sets.hpp"
 #include "support/kernels_here.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
+#include "support/yardstick/pairs.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 #include "tamis/pair_distance.hpp"
@@ -79,13 +79,11 @@ TEST_P(Near, EveryMethodGivesTheSameBits) {
   for (std::uint64_t seed = 0; seed < 2; ++seed) {
     const Scene scene = GetParam().make(30 + 60 * static_cast<Index>(seed), 61 + seed);
     Detector tamis(scene.mesh());
-    Detector brute = lab::make_detector(scene.mesh(), with(Method::brute));
-    Detector paper = lab::make_detector(scene.mesh(), with(Method::paper));
+    Detector brute = yardstick::make_detector(scene.mesh(), with(Method::brute));
     for (const double part : {0.0, 0x1p-30, 0.01, 0.15}) {
       SCOPED_TRACE(scene.name + ", " + std::to_string(part));
       const auto truth = brute.pairs_within(scene.start, part * size_at_start(scene));
       expect_same(tamis.pairs_within(scene.start, part * size_at_start(scene)), truth);
-      expect_same(paper.pairs_within(scene.start, part * size_at_start(scene)), truth);
     }
   }
 }
@@ -105,7 +103,7 @@ TEST_P(Near, DistancesAreThoseOfExactArithmeticAndNoPairIsMissing) {
       if (i % (1 + pairs.size() / 300) == 0) check(pairs[i], scene);
     }
     std::uint64_t number = 0;
-    lab::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
+    yardstick::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
       if (++number % 7 != 0) return;
       const PairPoints points = points_of({scene.start, scene.start}, v);
       const double exact = distance_in_integers(kind, points, 0).distance, tolerance = 0x1p-41 * size_of(points, kind);
@@ -119,16 +117,16 @@ TEST_P(Near, DistancesAreThoseOfExactArithmeticAndNoPairIsMissing) {
 TEST_P(Near, ThreadsAndInstructionSetsChangeNoBit) {
   const Scene scene = GetParam().make(GetParam().scales ? 2000 : 200, 77);
   const double distance = 0.02 * size_at_start(scene);
-  lab::Options options;
+  yardstick::Options options;
   options.threads = 1;
   options.isa = Isa::baseline;
-  const auto one = lab::make_detector(scene.mesh(), options).pairs_within(scene.start, distance);
+  const auto one = yardstick::make_detector(scene.mesh(), options).pairs_within(scene.start, distance);
   for (const Isa isa : every_isa())
     for (const int threads : {1, 3}) {
       options.isa = isa;
       options.threads = threads;
       try {
-        Detector detector = lab::make_detector(scene.mesh(), options);
+        Detector detector = yardstick::make_detector(scene.mesh(), options);
         detector.contacts(scene.step());  // the answer must not depend on this earlier question
         expect_same(detector.pairs_within(scene.start, distance), one);
       } catch (const InvalidOptions&) {  // this machine lacks the instruction set
@@ -148,11 +146,11 @@ struct Particles {
 // Bug: loose points and rods only meet faces.
 TEST(NearLoosePoints, MeetLooseEdgesAndEachOther) {
   const Particles scene;
-  lab::Options options;
+  yardstick::Options options;
   options.radii = {0.25, 0.5};
   options.filter.group_of_vertex = {0, 0, 0, 1, 1, 0, 0};
   options.filter.group_count = 2;
-  Detector detector = lab::make_detector(scene.mesh, options);
+  Detector detector = yardstick::make_detector(scene.mesh, options);
   // vf: point 5 lies 1 above the face; ve: point 6 lies 1 below the rod; vv: the points are 3.02 apart.
   const auto& pairs = detector.pairs_within(scene.at, 0.5);
   ASSERT_EQ(pairs.size(), 2u);

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/pair.hpp"
 
@@ -41,7 +41,7 @@ class Normal : public testing::TestWithParam<Method> {};
 
 // Bug: a square underflows, and the length it is divided by is zero.
 TEST_P(Normal, IsAUnitVectorHoweverSmallTheFeatures) {
-  lab::Options options;
+  yardstick::Options options;
   options.method = GetParam();
   for (const double size : {1.0, 1e-60, 1e-90, 1e-120, 1e-170, 1e-300})
     for (const Scene& scene : {crossing_edges(size), point_on_face(size)}) {
@@ -52,7 +52,7 @@ TEST_P(Normal, IsAUnitVectorHoweverSmallTheFeatures) {
 }
 
 TEST_P(Normal, IsAUnitVectorWhereAFeatureIsAPoint) {
-  lab::Options options;
+  yardstick::Options options;
   options.method = GetParam();
   Scene scene = crossing_edges(5e-324);
   scene.start[2] = scene.start[3];
@@ -72,7 +72,7 @@ PairResult alone(const Scene& scene, const Contact& c, double separation) {
 
 // Bugs: in lanes, the normal points to another side than for single pairs, exact decisions, or the paper's solver.
 TEST_P(Normal, IsTheSameInEveryMethodAndForThePairAlone) {
-  lab::Options options;
+  yardstick::Options options;
   options.method = GetParam();
   for (const scenes::Recipe& recipe : scenes::recipes())
     for (const double separation : {0.0, 0x1p-7}) {
@@ -151,7 +151,7 @@ TEST(NormalOfThickCloth, LeadsAlongTheClosestPointsAtTheTimeOfImpact) {
   std::map<std::string, int> counts;
   for (const double radii : {0.05, 0.2}) {  // in edge lengths
     const Scene scene = scenes::scene_by_name("folded-cloth", 3000, 5);
-    lab::Options options;
+    yardstick::Options options;
     options.min_separation = radii / 40;
     for (const Contact& c : find_contacts(scene, options)) {
       std::array<Vector, 4> x;

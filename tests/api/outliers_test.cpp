@@ -8,10 +8,10 @@
 #include <set>
 #include <utility>
 
-#include "paper/detector.hpp"
 #include "scenes/point_math.hpp"
 #include "scenes/scene_list.hpp"
 #include "support/contact_sets.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {
@@ -41,9 +41,9 @@ class FarFromOthers : public testing::TestWithParam<Case> {
 TEST_P(FarFromOthers, HaveTheContactsOfAllPairs) {
   for (const double separation : {0.0, 0.01}) {
     const QueryOptions asked{.min_separation = separation};
-    lab::Options options;
+    yardstick::Options options;
     options.method = Method::brute;
-    Detector all = lab::make_detector(scene.mesh(), options), detector(scene.mesh());
+    Detector all = yardstick::make_detector(scene.mesh(), options), detector(scene.mesh());
     const PairSet expected = names_of(all.contacts(scene.step(), asked));
     EXPECT_FALSE(expected.empty());
     EXPECT_EQ(names_of(detector.contacts(scene.step(), asked)), expected);
@@ -57,7 +57,7 @@ TEST_P(FarFromOthers, HaveTheContactsOfAllPairs) {
 
 // Bug: a radius that reaches from an outlier to the others is cut off, like a radius larger than the frame.
 TEST_P(FarFromOthers, ReachTheOthersByTheirRadii) {
-  lab::Options options, brute;
+  yardstick::Options options, brute;
   options.filter.group_of_vertex.assign(scene.start.size(), 0);
   std::fill_n(options.filter.group_of_vertex.rbegin(), 3, 1);
   options.filter.group_count = 2;
@@ -65,7 +65,8 @@ TEST_P(FarFromOthers, ReachTheOthersByTheirRadii) {
   brute = options;
   brute.method = Method::brute;
   const QueryOptions asked{.min_separation = 0.002};
-  Detector all = lab::make_detector(scene.mesh(), brute), detector = lab::make_detector(scene.mesh(), options);
+  Detector all = yardstick::make_detector(scene.mesh(), brute),
+           detector = yardstick::make_detector(scene.mesh(), options);
   const PairSet expected = names_of(all.contacts(scene.step(), asked));
   EXPECT_FALSE(expected.empty());
   EXPECT_EQ(names_of(detector.contacts(scene.step(), asked)), expected);

@@ -6,10 +6,10 @@
 #include <limits>
 #include <vector>
 
-#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/flat_sheets.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 
@@ -32,7 +32,7 @@ PairSet kept(const Scene& scene, const PairSet& all, const Keeps& keeps) {
 class PairFilters : public testing::TestWithParam<Method> {
  protected:
   PairSet find(const Scene& scene, const PairFilter& filter) const {
-    lab::Options options;
+    yardstick::Options options;
     options.method = GetParam();
     options.filter = filter;
     return find_names(scene, options);
@@ -82,17 +82,17 @@ TEST_P(PairFilters, AQuestionThatACallbackInterruptsLeavesNothingBehind) {
   struct Interrupted {};
   for (const Scene& scene : scenes_of_objects()) {
     std::atomic<int> calls = 0, last_call = std::numeric_limits<int>::max();
-    lab::Options options;
+    yardstick::Options options;
     options.method = GetParam();
     options.filter.accepts = [&](PairKind, const std::array<Index, 4>&) {
       if (++calls > last_call) throw Interrupted();
       return true;
     };
-    const PairSet expected = names_of(lab::make_detector(scene.mesh(), options).contacts(scene.step()));
+    const PairSet expected = names_of(yardstick::make_detector(scene.mesh(), options).contacts(scene.step()));
     const int all_calls = calls;
     ASSERT_GT(all_calls, 0) << scene.name;
     for (const int interrupted : {0, all_calls / 2, all_calls - 1}) {
-      Detector detector = lab::make_detector(scene.mesh(), options);
+      Detector detector = yardstick::make_detector(scene.mesh(), options);
       calls = 0;
       last_call = interrupted;
       EXPECT_THROW(detector.contacts(scene.step()), Interrupted) << scene.name;
@@ -108,9 +108,9 @@ TEST_P(PairFilters, AQuestionThatACallbackInterruptsLeavesNothingBehind) {
 TEST(PairFilterBlocks, WholeBlocksAreLeftOut) {
   const Scene scene = scenes::scene_by_name("touching-spheres", 20000, 1);
   const auto nodes_of = [&](const PairFilter& filter) {
-    lab::Options options;
+    yardstick::Options options;
     options.filter = filter;
-    Detector detector = lab::make_detector(scene.mesh(), options);
+    Detector detector = yardstick::make_detector(scene.mesh(), options);
     std::vector<std::uint64_t> nodes;
     detector.contacts(scene.step());
     nodes.push_back(detector.statistics().nodes_visited);
@@ -132,10 +132,10 @@ TEST(PairFilterBlocks, PairsThatGroupsLeaveOutAreNotLookedAt) {
     std::uint64_t near = 0, listed_bytes = 0;
   };
   const auto cost_of = [&](const PairFilter& of) {
-    lab::Options options;
+    yardstick::Options options;
     options.filter = of;
     options.threads = 1;  // each thread has its own buffers, which would count as memory
-    Detector detector = lab::make_detector(scene.mesh(), options);
+    Detector detector = yardstick::make_detector(scene.mesh(), options);
     (void)detector.safe_step(scene.step(), 0.1);
     Cost cost;
     for (const StageCount& stage : detector.statistics().stages)

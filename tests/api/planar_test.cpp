@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "paper/detector.hpp"
-#include "paper/pairs.hpp"
 #include "scenes/random.hpp"
 #include "support/contact_sets.hpp"
+#include "support/yardstick/methods.hpp"
+#include "support/yardstick/pairs.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {
@@ -43,14 +43,14 @@ TEST(CurvesInThePlane, MeetExactlyWhereTheOracleSaysSo) {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const Scene scene = curves(seed);
     PairSet truth;
-    lab::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
+    yardstick::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
       if (oracle::touches(kind, motion_of(scene, v))) truth.insert({kind, v});
     });
     EXPECT_FALSE(truth.empty());
     for (const Method method : kMethods) {
-      lab::Options options;
+      yardstick::Options options;
       options.method = method;
-      Detector detector = lab::make_detector(scene.mesh(), options);
+      Detector detector = yardstick::make_detector(scene.mesh(), options);
       const std::vector<Contact> contacts = detector.contacts(scene.step());
       EXPECT_EQ(certified_names_of(contacts), truth) << name_of(method) << ", seed " << seed;
       EXPECT_EQ(contacts.size(), truth.size());
@@ -64,7 +64,7 @@ TEST(CurvesInThePlane, ArePartedByNormalsThatLieInIt) {
   for (std::uint64_t seed = 0; seed < 8; ++seed)
     for (const double separation : {0.0, 0.25}) {
       const Scene scene = curves(seed);
-      lab::Options options;
+      yardstick::Options options;
       options.min_separation = separation;
       for (const Contact& c : find_contacts(scene, options)) {
         if (c.toi_lower == 0) continue;  // edges may cross each other there

@@ -6,11 +6,11 @@
 #include <functional>
 #include <string>
 
-#include "paper/detector.hpp"
-#include "paper/pairs.hpp"
 #include "support/contact_sets.hpp"
 #include "support/kernels_here.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
+#include "support/yardstick/pairs.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 #include "tamis/spline_path.hpp"
@@ -21,8 +21,8 @@ namespace {
 using scenes::Recipe, scenes::Scene;
 
 /// Options with three groups that cut through the scene's objects, so that features have vertices of several groups.
-lab::Options thick(const Scene& scene, const std::vector<double>& radii, Method method) {
-  lab::Options options;
+yardstick::Options thick(const Scene& scene, const std::vector<double>& radii, Method method) {
+  yardstick::Options options;
   options.method = method;
   options.radii = radii;
   options.filter.group_count = 3;
@@ -31,7 +31,7 @@ lab::Options thick(const Scene& scene, const std::vector<double>& radii, Method 
 }
 
 /// Computed without the library: the largest radius of each feature's vertices, plus `fixed`.
-double separation_of(const lab::Options& options, double fixed, PairKind kind, const PairVertices& v) {
+double separation_of(const yardstick::Options& options, double fixed, PairKind kind, const PairVertices& v) {
   const auto radius = [&](std::size_t i) {
     if (v[i] < 0) return 0.0;  // loose features have fewer vertices
     return options.radii[static_cast<std::size_t>(options.filter.group_of_vertex[static_cast<std::size_t>(v[i])])];
@@ -47,17 +47,17 @@ TEST_P(Thickness, EveryMethodFindsThePairsWithinBothRadii) {
   const Scene scene = GetParam().make(20, 3);
   const double size = size_at_start(scene), fixed = 0.01 * size;
   const std::vector<double> radii{0, 0.02 * size, 0.2 * size};
-  const lab::Options brute = thick(scene, radii, Method::brute);
+  const yardstick::Options brute = thick(scene, radii, Method::brute);
   PairSet truth;
   const PairFilter some = some_pairs(scene, 300);
-  lab::for_each_pair(scene.mesh(), some, [&](PairKind kind, const PairVertices& v) {
+  yardstick::for_each_pair(scene.mesh(), some, [&](PairKind kind, const PairVertices& v) {
     if (oracle::comes_within(kind, motion_of(scene, v), separation_of(brute, fixed, kind, v))) truth.insert({kind, v});
   });
   for (const Method method : kMethods) {
     SCOPED_TRACE(scene.name + " by " + std::string(name_of(method)));
-    lab::Options options = thick(scene, radii, method);
+    yardstick::Options options = thick(scene, radii, method);
     options.filter.accepts = some.accepts;
-    Detector detector = lab::make_detector(scene.mesh(), options);
+    Detector detector = yardstick::make_detector(scene.mesh(), options);
     const auto contacts = detector.contacts(scene.step(), {.min_separation = fixed});
     EXPECT_EQ(missing(truth, names_of(contacts)), "") << "missed";
     EXPECT_EQ(missing(names_of(contacts), truth), "") << "a contact, but farther apart";
@@ -78,14 +78,12 @@ TEST_P(Thickness, StepLengthsOfAllMethodsAreTheSameBits) {
   const std::vector<double> radii{0x1p-11 * size, 0, 0x1p-9 * size};
   for (const double fraction : {0.0, 0.3}) {
     const auto keep = [&](Method method) {
-      return lab::make_detector(scene.mesh(), thick(scene, radii, method))
+      return yardstick::make_detector(scene.mesh(), thick(scene, radii, method))
           .safe_step(scene.step(), fraction, {.min_separation = 0x1p-14 * size});
     };
     const SafeStep truth = keep(Method::brute);
-    for (const Method method : {Method::tamis, Method::paper}) {
-      EXPECT_EQ(keep(method).lower, truth.lower) << scene.name << " by " << name_of(method);
-      EXPECT_EQ(keep(method).pair.has_value(), truth.pair.has_value());
-    }
+    EXPECT_EQ(keep(Method::tamis).lower, truth.lower) << scene.name;
+    EXPECT_EQ(keep(Method::tamis).pair.has_value(), truth.pair.has_value());
   }
 }
 
@@ -94,12 +92,12 @@ TEST_P(Thickness, AQuestionsOwnSeparationAnswersAsADetectorsDoes) {
   const Scene scene = GetParam().make(60, 4);
   const double size = size_at_start(scene);
   for (const Method method : kMethods) {
-    lab::Options options;
+    yardstick::Options options;
     options.method = method;
-    Detector one = lab::make_detector(scene.mesh(), options);
+    Detector one = yardstick::make_detector(scene.mesh(), options);
     for (const double separation : {0.1 * size, 0.0, 0.003 * size}) {
       options.min_separation = separation;
-      Detector own = lab::make_detector(scene.mesh(), options);
+      Detector own = yardstick::make_detector(scene.mesh(), options);
       const auto& asked = one.contacts(scene.step(), {.min_separation = separation});
       const auto& expected = own.contacts(scene.step());
       ASSERT_EQ(asked.size(), expected.size()) << separation << " " << name_of(method);
@@ -124,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Thickness, testing::ValuesIn(scenes::recipes().
 TEST(ThicknessInLanes, EveryInstructionSetGivesTheSameContacts) {
   const Scene scene = scenes::scene_by_name("folded-cloth", 1500, 6);
   const double size = size_at_start(scene);
-  lab::Options options = thick(scene, {0.001 * size, 0, 0.004 * size}, Method::tamis);
+  yardstick::Options options = thick(scene, {0.001 * size, 0, 0.004 * size}, Method::tamis);
   options.isa = Isa::baseline;
   const auto expected = find_contacts(scene, options);
   EXPECT_GT(expected.size(), 100u);
@@ -146,7 +144,7 @@ TEST(ThicknessThatDoesNotFit, IsRefusedByName) {
   const Scene scene = scenes::scene_by_name("soup", 5, 1);
   const auto message_of = [&](const std::vector<double>& radii) -> std::string {
     try {
-      lab::make_detector(scene.mesh(), thick(scene, radii, Method::tamis));
+      yardstick::make_detector(scene.mesh(), thick(scene, radii, Method::tamis));
     } catch (const InvalidOptions& error) {
       return error.what();
     }

@@ -3,22 +3,22 @@
 
 #include <algorithm>
 
-#include "paper/detector.hpp"
-#include "paper/pairs.hpp"
 #include "search/topology/rings.hpp"
 #include "support/as_new.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
+#include "support/yardstick/pairs.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::test {
 namespace {
 
-using lab::Method;
 using scenes::Recipe, scenes::Scene;
+using yardstick::Method;
 
-lab::Options with_rings(Method method, int rings) {
-  lab::Options options = with(method, 0x1p-4);
+yardstick::Options with_rings(Method method, int rings) {
+  yardstick::Options options = with(method, 0x1p-4);
   options.filter.rings = rings;
   return options;
 }
@@ -58,13 +58,13 @@ TEST_P(RingsOf, LeaveOutNeighboursAlone) {
   constexpr double kNear = 0.25;
   std::size_t left_out = 0;
   for (const Method method : kMethods) {
-    Detector all = lab::make_detector(mesh, with_rings(method, 1));
+    Detector all = yardstick::make_detector(mesh, with_rings(method, 1));
     const std::vector<Contact> contacts = all.contacts(scene.step());
     const std::vector<NearPair> near = all.pairs_within(scene.end, kNear);
     const std::vector<Intersection> intersections = all.intersections(scene.end);
     for (const int number : {2, 3}) {
       const Rings rings(mesh, number);
-      Detector some = lab::make_detector(mesh, with_rings(method, number));
+      Detector some = yardstick::make_detector(mesh, with_rings(method, number));
       const std::vector<Contact> far = far_apart(contacts, rings);
       EXPECT_EQ(bits_of(some.contacts(scene.step())), bits_of(far));
       EXPECT_EQ(some.is_free(scene.step()), far.empty());
@@ -93,10 +93,10 @@ TEST_P(RingsOf, LeaveOutNeighboursAlone) {
 TEST_P(RingsOf, StepLengthsAreThoseOfEveryPair) {
   for (const int number : {1, 2, 3}) {
     const SafeStep truth =
-        lab::make_detector(scene.mesh(), with_rings(Method::brute, number)).safe_step(scene.step(), 0.2);
-    lab::Options options = with_rings(Method::tamis, number);
+        yardstick::make_detector(scene.mesh(), with_rings(Method::brute, number)).safe_step(scene.step(), 0.2);
+    yardstick::Options options = with_rings(Method::tamis, number);
     options.threads = 2;
-    Detector detector = lab::make_detector(scene.mesh(), options);
+    Detector detector = yardstick::make_detector(scene.mesh(), options);
     const SafeStep found = detector.safe_step(scene.step(), 0.2);
     EXPECT_EQ(found.lower, truth.lower);
     EXPECT_EQ(found.upper, truth.upper);
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, RingsOf, testing::ValuesIn(scenes::recipes().be
 TEST(RingsFilter, IsOneOrMore) {
   const Mesh mesh(3, {{0, 1, 2}});
   for (const int rings : {0, -1})
-    EXPECT_THROW(lab::make_detector(mesh, with_rings(Method::tamis, rings)), InvalidOptions);
+    EXPECT_THROW(yardstick::make_detector(mesh, with_rings(Method::tamis, rings)), InvalidOptions);
 }
 
 /// With one thread: with more, the size of buffers depends on which threads got work.

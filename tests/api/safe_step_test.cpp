@@ -7,14 +7,14 @@
 #include <limits>
 
 #include "pair/narrow/near_pair.hpp"
-#include "paper/detector.hpp"
-#include "paper/pairs.hpp"
 #include "search/query/pair_vertices.hpp"
 #include "support/as_new.hpp"
 #include "support/contact_sets.hpp"
 #include "support/kernels_here.hpp"
 #include "support/step_lengths.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
+#include "support/yardstick/pairs.hpp"
 #include "tamis/components.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
@@ -36,10 +36,9 @@ TEST_P(StepLength, MethodsGiveTheSameBits) {
       for (const double fraction : {0x1p-30, 0.1, 0.5, 0.9, 1 - 0x1p-40})
         for (const double separation : {0.0, 0x1p-12}) {
           const SafeStep truth = keep(scene, fraction, with(Method::brute, separation));
-          for (const Method method : {Method::tamis, Method::paper})
-            expect_same(keep(scene, fraction, with(method, separation)), truth,
-                        scene.name + " by " + std::string(name_of(method)) + ", seed " + std::to_string(71 + seed) +
-                            ", part " + std::to_string(part) + ", fraction " + std::to_string(fraction));
+          expect_same(keep(scene, fraction, with(Method::tamis, separation)), truth,
+                      scene.name + ", seed " + std::to_string(71 + seed) + ", part " + std::to_string(part) +
+                          ", fraction " + std::to_string(fraction));
         }
     }
 }
@@ -115,7 +114,7 @@ TEST_P(StepLength, SampledDistancesStayAboveTheFraction) {
     for (const double part : {0.25, 0.5, 0.875, 1.0}) {
       const std::vector<Point> now = between(scene.start, scene.end, part * safe.lower);
       const Step step{scene.start, now};
-      lab::for_each_pair(mesh, {}, [&](PairKind kind, const PairVertices& v) {
+      yardstick::for_each_pair(mesh, {}, [&](PairKind kind, const PairVertices& v) {
         const PairPoints points = points_of(step, v);
         const double before = start_distance(kind, points), after = start_distance(kind, {points.end, points.end});
         EXPECT_GE(after, fraction * before * (1 - 1e-9) - 1e-14) << v[0] << " " << v[1] << " " << v[2] << " " << v[3];
@@ -126,7 +125,7 @@ TEST_P(StepLength, SampledDistancesStayAboveTheFraction) {
 
 TEST_P(StepLength, ThreadsAndInstructionSetsChangeNoBit) {
   const Scene scene = GetParam().make(GetParam().scales ? 4000 : 300, 77);
-  lab::Options options;
+  yardstick::Options options;
   options.threads = 1;
   const SafeStep one = keep(scene, 0.3, options);
   for (const Isa isa : every_isa()) {
@@ -207,7 +206,7 @@ TEST_P(StepLength, EndsBeforeTheEarliestContact) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const Scene scene = GetParam().make(100, 80 + seed);
     for (const Method method : kMethods) {
-      const EarliestContact first = lab::make_detector(scene.mesh(), with(method)).earliest(scene.step());
+      const EarliestContact first = yardstick::make_detector(scene.mesh(), with(method)).earliest(scene.step());
       const SafeStep none = keep(scene, 0, with(method)), tiny = keep(scene, 1e-6), half = keep(scene, 0.5);
       EXPECT_EQ(none.lower, first.toi_lower);
       EXPECT_EQ(none.upper, none.lower == 0 ? 0 : first.toi_upper);

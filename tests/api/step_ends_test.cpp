@@ -2,9 +2,9 @@
 // after the step is none.
 #include <gtest/gtest.h>
 
-#include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
 
 namespace tamis::test {
 namespace {
@@ -23,7 +23,7 @@ Scene falling_point(double from, double to) {
 class StepEnds : public testing::TestWithParam<Method> {
  protected:
   std::vector<Contact> contacts(const Scene& scene) const {
-    lab::Options options;
+    yardstick::Options options;
     options.method = GetParam();
     return find_contacts(scene, options);
   }

@@ -12,7 +12,7 @@
 namespace tamis::test {
 namespace {
 
-using lab::Method;
+using yardstick::Method;
 
 void expect_proven_floats(Detector& detector, const Scene& scene, const TruncatedStep& to) {
   EXPECT_EQ(to.positions, as_floats(to.positions));
@@ -32,7 +32,7 @@ TEST_P(TruncateFloats, FloatsAreProvenAsTheyAreStored) {
         for (Point& p : *points) p = {100 * p[0] + away, 100 * p[1] - away, 100 * p[2] + away};
       scene.start = as_floats(scene.start);
       SCOPED_TRACE(testing::Message() << scene.name << " at " << away << ", separation " << separation);
-      Detector detector = lab::make_detector(scene.mesh(), with(Method::tamis, separation));
+      Detector detector = yardstick::make_detector(scene.mesh(), with(Method::tamis, separation));
       const TruncatedStep to = detector.truncate(scene.step(), 0.1, {}, Stored::float32);
       expect_proven_floats(detector, scene, to);
       expect_kept(scene, to.positions, 0.1, separation);
@@ -54,7 +54,7 @@ TEST(Truncate, LeavesRoomForFloatsHoweverLittleThereIs) {
         const double ulp = static_cast<double>(above) - (surface + static_cast<float>(separation));
         Scene scene = two_falls(separation + ulps * ulp, 0.7, {far, -far, surface}, far > 1e6F ? 8 : 1);
         scene.start = as_floats(scene.start);
-        Detector detector = lab::make_detector(scene.mesh(), with(Method::tamis, separation));
+        Detector detector = yardstick::make_detector(scene.mesh(), with(Method::tamis, separation));
         if (!detector.is_free({scene.start, scene.start})) continue;  // rounding has closed the gap
         const TruncatedStep to = detector.truncate(scene.step(), 0.1, {}, Stored::float32);
         SCOPED_TRACE(testing::Message() << ulps << " ulps above, at " << far << ", separation " << separation);

@@ -11,7 +11,7 @@
 namespace tamis::test {
 namespace {
 
-using lab::Method;
+using yardstick::Method;
 
 // Bug: one near pair stops the whole mesh.
 TEST(Truncate, ANearPairDoesNotStopTheOthers) {
@@ -35,7 +35,7 @@ TEST(Truncate, LeavesRoomForRoundingHoweverLittleThereIs) {
           const double surface = far / 3;  // no round number
           const double ulp = std::nextafter(surface + separation, HUGE_VAL) - (surface + separation);
           Scene scene = two_falls(separation + ulps * ulp, 0.7, {far, -far, surface}, size);
-          Detector detector = lab::make_detector(scene.mesh(), with(Method::tamis, separation));
+          Detector detector = yardstick::make_detector(scene.mesh(), with(Method::tamis, separation));
           if (!detector.is_free({scene.start, scene.start})) continue;  // rounding has closed the gap
           const TruncatedStep to = detector.truncate(scene.step());
           SCOPED_TRACE(testing::Message() << ulps << " ulps above, at " << far << ", separation " << separation);
@@ -73,9 +73,9 @@ TEST(Truncate, EndsHoweverMuchIsKept) {
     for (const double lost : {0x1p-25, 0x1p-40, 0x1p-53}) {
       const Scene scene = two_falls(above, 1);
       long asked = 0;
-      lab::Options options;
+      yardstick::Options options;
       options.is_cancelled = [&] { return ++asked > 20000; };
-      Detector detector = lab::make_detector(scene.mesh(), options);
+      Detector detector = yardstick::make_detector(scene.mesh(), options);
       const TruncatedStep to = detector.truncate(scene.step(), 1 - lost);
       EXPECT_TRUE(to.is_free) << above << ", " << lost;
       EXPECT_TRUE(detector.is_free({scene.start, to.positions})) << above << ", " << lost;
@@ -85,13 +85,13 @@ TEST(Truncate, EndsHoweverMuchIsKept) {
 // Bug, once: nothing moved at all, and nine searches found the same contact.
 TEST(Truncate, WhatTouchesAtTheStartStaysAndIsAskedAboutOnce) {
   const Scene scene = two_falls(0, 1);
-  lab::Options options;
+  yardstick::Options options;
   std::atomic<int> asked = 0;
   options.filter.accepts = [&](PairKind kind, const std::array<Index, 4>& v) {
     asked += kind == PairKind::vertex_face && v[0] == 3 && v[1] == 0;
     return true;
   };
-  Detector detector = lab::make_detector(scene.mesh(), options);
+  Detector detector = yardstick::make_detector(scene.mesh(), options);
   const TruncatedStep to = detector.truncate(scene.step());
   EXPECT_FALSE(to.is_free);
   EXPECT_EQ(to.positions[3], scene.start[3]);
@@ -105,7 +105,8 @@ TEST(Truncate, WhatStartsWithinTheSeparationMayLeaveButNotComeNearer) {
   constexpr double kSeparation = 0x1p-4;
   for (const double fall : {-0.05, 1.0}) {
     const Scene scene = two_falls(0.5 * kSeparation, fall);
-    const TruncatedStep to = lab::make_detector(scene.mesh(), with(Method::tamis, kSeparation)).truncate(scene.step());
+    const TruncatedStep to =
+        yardstick::make_detector(scene.mesh(), with(Method::tamis, kSeparation)).truncate(scene.step());
     EXPECT_FALSE(to.is_free);
     expect_kept(scene, to.positions, 0.1, kSeparation);
     EXPECT_EQ(to.positions[7], scene.end[7]);

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "paper/pairs.hpp"
+#include "support/yardstick/pairs.hpp"
 #include "tamis/pair_distance.hpp"
 
 namespace tamis::test {
@@ -33,7 +33,7 @@ double size_of(const std::vector<Point>& points, const PairVertices& vertices) {
 void expect_kept(const Scene& scene, const std::vector<Point>& to, double fraction, double separation) {
   std::vector<std::vector<Point>> ways;
   for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) ways.push_back(at_time(scene.start, to, t));
-  lab::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
+  yardstick::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
     const double before = distance_of({kind, v}, scene.start).distance;
     const double rounding = 0x1p-48 * std::max(size_of(scene.start, v), size_of(to, v));
     const bool starts_apart = before > separation;

@@ -22,7 +22,6 @@ endif()
 run(${CMAKE_COMMAND} --install ${library} --prefix ${work}/prefix)
 
 run(${CMAKE_COMMAND} -S ${root}/tests/consumer/project -B ${work}/consumer ${compile}
-  -D CMAKE_PREFIX_PATH=${work}/prefix -D compiled=${compiled} -D readme=${root}/README.md -D c_page=${root}/docs/c.md
-  -D plane_page=${root}/docs/plane.md -D cpp_page=${root}/docs/cpp.md -D worlds_page=${root}/docs/worlds.md)
+  -D CMAKE_PREFIX_PATH=${work}/prefix -D compiled=${compiled} -D examples=${root}/examples)
 run(${CMAKE_COMMAND} --build ${work}/consumer)
 run(${CMAKE_CTEST_COMMAND} --test-dir ${work}/consumer --output-on-failure --no-tests=error)

@@ -8,12 +8,12 @@
 
 #include "fuzz/moving_points.hpp"
 #include "fuzz/require.hpp"
-#include "paper/detector.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/tamis.hpp"
 
 namespace tamis::fuzz {
 
-using lab::Method;
+using yardstick::Method;
 namespace {
 
 struct MovingMesh {
@@ -69,8 +69,8 @@ std::string text_of(const MovingMesh& m) {
   return out.str();
 }
 
-lab::Options options_of(Method method, double separation) {
-  lab::Options options;
+yardstick::Options options_of(Method method, double separation) {
+  yardstick::Options options;
   options.method = method;
   options.min_separation = separation;
   options.threads = 1;
@@ -87,16 +87,13 @@ void check_questions(const MovingMesh& m, Detector& detector, const Names& names
 }
 
 void check(const MovingMesh& m, double separation) {
-  Detector brute = lab::make_detector(m.mesh, options_of(Method::brute, separation));
+  Detector brute = yardstick::make_detector(m.mesh, options_of(Method::brute, separation));
   const Names expected = names_of(brute.contacts(m.step()));
-  for (const Method method : {Method::tamis, Method::paper}) {
-    Detector detector = lab::make_detector(m.mesh, options_of(method, separation));
-    const Names found = names_of(detector.contacts(m.step()));
-    require(found == expected, "the methods differ", [&] {
-      return text_of(m) + "brute:\n" + text_of(expected) + std::string(name_of(method)) + ":\n" + text_of(found);
-    });
-    check_questions(m, detector, found);
-  }
+  Detector detector = yardstick::make_detector(m.mesh, options_of(Method::tamis, separation));
+  const Names found = names_of(detector.contacts(m.step()));
+  require(found == expected, "the methods differ",
+          [&] { return text_of(m) + "brute:\n" + text_of(expected) + "tamis:\n" + text_of(found); });
+  check_questions(m, detector, found);
 }
 
 bool are_same(const SafeStep& a, const SafeStep& b) {
@@ -107,8 +104,8 @@ bool are_same(const SafeStep& a, const SafeStep& b) {
 
 void check_step_lengths(const MovingMesh& m, double fraction, double separation) {
   const auto options = [&](Method method) { return options_of(method, separation); };
-  const SafeStep truth = lab::make_detector(m.mesh, options(Method::brute)).safe_step(m.step(), fraction);
-  Detector detector = lab::make_detector(m.mesh, options(Method::tamis));
+  const SafeStep truth = yardstick::make_detector(m.mesh, options(Method::brute)).safe_step(m.step(), fraction);
+  Detector detector = yardstick::make_detector(m.mesh, options(Method::tamis));
   const SafeStep found = detector.safe_step(m.step(), fraction);
   const auto describe = [&] { return text_of(m) + "fraction " + std::to_string(fraction); };
   require(are_same(found, truth), "step lengths differ", describe);

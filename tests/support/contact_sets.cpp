@@ -5,7 +5,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "paper/pairs.hpp"
+#include "support/yardstick/pairs.hpp"
 
 namespace tamis::test {
 
@@ -24,15 +24,17 @@ PairSet certified_names_of(const std::vector<Contact>& contacts) {
   return names;
 }
 
-std::vector<Contact> find_contacts(const Scene& scene, const lab::Options& options) {
-  return lab::make_detector(scene.mesh(), options).contacts(scene.step());
+std::vector<Contact> find_contacts(const Scene& scene, const yardstick::Options& options) {
+  return yardstick::make_detector(scene.mesh(), options).contacts(scene.step());
 }
 
-PairSet find_names(const Scene& scene, const lab::Options& options) { return names_of(find_contacts(scene, options)); }
+PairSet find_names(const Scene& scene, const yardstick::Options& options) {
+  return names_of(find_contacts(scene, options));
+}
 
 PairFilter some_pairs(const Scene& scene, std::uint64_t count) {
   std::uint64_t all = 0;
-  lab::for_each_pair(scene.mesh(), {}, [&](PairKind, const PairVertices&) { ++all; });
+  yardstick::for_each_pair(scene.mesh(), {}, [&](PairKind, const PairVertices&) { ++all; });
   PairFilter filter;
   filter.accepts = [stride = 1 + all / count](PairKind, const PairVertices& v) {
     std::uint64_t hash = 0;

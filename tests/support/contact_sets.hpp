@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "oracle/oracle.hpp"
-#include "paper/detector.hpp"
 #include "scenes/scene.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis::test {
 
-using lab::Method;
+using yardstick::Method;
 
 /// Identifies a pair of features. Sets of these compare contacts regardless of their order and of duplicates.
 struct PairName {
@@ -26,18 +26,18 @@ PairSet names_of(const std::vector<Contact>& contacts);
 PairSet certified_names_of(const std::vector<Contact>& contacts);
 
 /// All methods. They must all give the same set.
-inline constexpr std::array kMethods{Method::brute, Method::tamis, Method::paper};
+inline constexpr std::array kMethods{Method::brute, Method::tamis};
 
-inline lab::Options with(lab::Method method, double min_separation = 0) {
-  lab::Options options;
+inline yardstick::Options with(yardstick::Method method, double min_separation = 0) {
+  yardstick::Options options;
   options.method = method;
   options.min_separation = min_separation;
   return options;
 }
 
 /// All contacts of the scene by a new detector.
-std::vector<Contact> find_contacts(const scenes::Scene& scene, const lab::Options& options);
-PairSet find_names(const scenes::Scene& scene, const lab::Options& options);
+std::vector<Contact> find_contacts(const scenes::Scene& scene, const yardstick::Options& options);
+PairSet find_names(const scenes::Scene& scene, const yardstick::Options& options);
 
 /// The true contacts, by the oracle, from the scene's own lists of faces and edges.
 PairSet oracle_contacts(const scenes::Scene& scene);

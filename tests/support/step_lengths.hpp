@@ -4,14 +4,14 @@
 
 #include <string>
 
-#include "paper/detector.hpp"
 #include "scenes/scene.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {
 
-inline SafeStep keep(const scenes::Scene& scene, double fraction, const lab::Options& options = {}) {
-  return lab::make_detector(scene.mesh(), options).safe_step(scene.step(), fraction);
+inline SafeStep keep(const scenes::Scene& scene, double fraction, const yardstick::Options& options = {}) {
+  return yardstick::make_detector(scene.mesh(), options).safe_step(scene.step(), fraction);
 }
 
 inline void expect_same(const SafeStep& a, const SafeStep& b, const std::string& where) {

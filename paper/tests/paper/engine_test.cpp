@@ -6,6 +6,7 @@
 
 #include "paper/detector.hpp"
 #include "scenes/scene_list.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::lab {
 namespace {
@@ -111,6 +112,45 @@ TEST(paper_engine, leaves_out_what_the_pair_filter_forbids) {
   Options brute = options;
   brute.method = Method::brute;
   EXPECT_EQ(difference(contacts_of(scene, options), contacts_of(scene, brute)), "");
+}
+
+TEST(paper_engine, agrees_with_brute_force_on_the_first_contact_radii_and_pairs_that_touch_at_the_start) {
+  for (const scenes::Recipe& recipe : scenes::recipes()) {
+    const scenes::Scene scene = recipe.make(60, 12);
+    Options paper = with(Method::paper), brute = with(Method::brute);
+    Detector a = make_detector(scene.mesh(), paper), b = make_detector(scene.mesh(), brute);
+    const QueryOptions ignore{.at_start = AtStart::ignore};
+    EXPECT_EQ(a.earliest(scene.step()).toi_lower, b.earliest(scene.step()).toi_lower) << recipe.name;
+    EXPECT_EQ(a.is_free(scene.step()), b.is_free(scene.step())) << recipe.name;
+    EXPECT_EQ(difference(keys(a.contacts(scene.step(), ignore)), keys(b.contacts(scene.step(), ignore))), "")
+        << recipe.name;
+    paper.radii = brute.radii = std::vector<double>(scene.start.size(), 0.001);
+    EXPECT_EQ(difference(contacts_of(scene, paper), contacts_of(scene, brute)), "") << recipe.name;
+  }
+}
+
+TEST(paper_engine, refuses_what_no_enumeration_names) {
+  const Mesh mesh(3, {{0, 1, 2}});
+  const auto refuses = [&](auto change) {
+    Options bad = with(Method::paper);
+    change(bad);
+    EXPECT_THROW(make_detector(mesh, bad), InvalidOptions);
+  };
+  refuses([](Options& bad) { bad.method = static_cast<Method>(3); });
+  refuses([](Options& bad) { bad.paper.bounding_volume = static_cast<BoundingVolume>(77); });
+  refuses([](Options& bad) { bad.paper.high_level = static_cast<HighLevelCulling>(5); });
+  EXPECT_THROW(method_from_name("fast"), InvalidOptions);
+  for (const Method method : {Method::tamis, Method::paper, Method::brute})
+    EXPECT_EQ(method_from_name(name_of(method)), method);
+}
+
+// Bug: cancellation is heard only between questions.
+TEST(paper_engine, stops_when_cancelled) {
+  const scenes::Scene scene = scenes::scene_by_name("soup", 400, 3);
+  Options options = with(Method::paper);
+  int asked = 0;
+  options.is_cancelled = [&] { return ++asked > 3; };
+  EXPECT_THROW(contacts_of(scene, options), Cancelled);
 }
 
 TEST(paper_engine, answers_every_question_the_same_way_for_any_number_of_threads) {

@@ -7,9 +7,9 @@
 
 #include "curves/paths/counted_path.hpp"
 #include "curves/paths/turning_pairs.hpp"
-#include "paper/detector.hpp"
 #include "scenes/shapes.hpp"
 #include "support/contact_sets.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 #include "tamis/spline_path.hpp"
@@ -34,15 +34,15 @@ struct Bodies {
     for (const Face& f : shape.faces) faces.push_back({first + f[0], first + f[1], first + f[2]});
   }
   Mesh mesh() const { return {static_cast<Index>(rest.size()), faces}; }
-  lab::Options options() const {
-    lab::Options options;
+  yardstick::Options options() const {
+    yardstick::Options options;
     options.filter = PairFilter::no_self_contact(body);
     return options;
   }
 };
 
 /// Every pair of the mesh by itself.
-std::vector<Contact> one_by_one(const Mesh& mesh, const lab::Options& options, const Path& path) {
+std::vector<Contact> one_by_one(const Mesh& mesh, const yardstick::Options& options, const Path& path) {
   std::vector<Contact> contacts;
   const auto ask = [&](PairKind kind, const std::array<Index, 4>& v, const PairResult& r) {
     if (r.touches) contacts.push_back({kind, r.certainty, v, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
@@ -68,33 +68,31 @@ std::vector<Contact> one_by_one(const Mesh& mesh, const lab::Options& options, c
 }
 
 void expect_as_one_by_one(const Bodies& bodies, const Path& path, double separation = 0) {
-  lab::Options options = bodies.options();
+  yardstick::Options options = bodies.options();
   options.min_separation = separation;
   const std::vector<Contact> truth = one_by_one(bodies.mesh(), options, path);
   double first = 1;
   for (const Contact& c : truth) first = std::min(first, c.toi_lower);
-  for (const Method method : {Method::tamis, Method::paper})
-    for (const int threads : {1, 3}) {
-      options.method = method;
-      options.threads = threads;
-      Detector detector = lab::make_detector(bodies.mesh(), options);
-      const std::vector<Contact> contacts = detector.contacts(path);
-      EXPECT_EQ(missing(names_of(truth), names_of(contacts)), "");
-      EXPECT_EQ(missing(names_of(contacts), names_of(truth)), "");
-      for (const Contact& c : contacts) {
-        EXPECT_LE(c.toi_upper - c.toi_lower, 1e-9);
-        const auto alone = std::find_if(truth.begin(), truth.end(), [&](const Contact& other) {
-          return other.kind == c.kind && other.vertices == c.vertices;
-        });
-        if (alone == truth.end() || c.toi_lower == 0) continue;
-        const Point &n = c.normal, &other = alone->normal;
-        EXPECT_GE(n[0] * other[0] + n[1] * other[1] + n[2] * other[2], 1 - 1e-6) << "the same side and direction";
-      }
-      EXPECT_EQ(detector.is_free(path), truth.empty());
-      const EarliestContact earliest = detector.earliest(path);
-      EXPECT_EQ(earliest.contact.has_value(), !truth.empty());
-      EXPECT_NEAR(earliest.toi_lower, first, 1e-9);
+  for (const int threads : {1, 3}) {
+    options.threads = threads;
+    Detector detector = yardstick::make_detector(bodies.mesh(), options);
+    const std::vector<Contact> contacts = detector.contacts(path);
+    EXPECT_EQ(missing(names_of(truth), names_of(contacts)), "");
+    EXPECT_EQ(missing(names_of(contacts), names_of(truth)), "");
+    for (const Contact& c : contacts) {
+      EXPECT_LE(c.toi_upper - c.toi_lower, 1e-9);
+      const auto alone = std::find_if(truth.begin(), truth.end(), [&](const Contact& other) {
+        return other.kind == c.kind && other.vertices == c.vertices;
+      });
+      if (alone == truth.end() || c.toi_lower == 0) continue;
+      const Point &n = c.normal, &other = alone->normal;
+      EXPECT_GE(n[0] * other[0] + n[1] * other[1] + n[2] * other[2], 1 - 1e-6) << "the same side and direction";
     }
+    EXPECT_EQ(detector.is_free(path), truth.empty());
+    const EarliestContact earliest = detector.earliest(path);
+    EXPECT_EQ(earliest.contact.has_value(), !truth.empty());
+    EXPECT_NEAR(earliest.toi_lower, first, 1e-9);
+  }
 }
 
 /// One body beside the other, turning about a place between them.
@@ -198,7 +196,7 @@ TEST(MeshOnPath, ABoltTurnsInItsThreadAndJamsWithoutThePitch) {
   const auto screwed = [&](double turns, double way) {
     return RigidPath(bodies.rest, bodies.body, {turned({}, {0, 0, 2 * kPi * turns}, {0, 0, way}), Chain{}});
   };
-  Detector detector = lab::make_detector(bodies.mesh(), bodies.options());
+  Detector detector = yardstick::make_detector(bodies.mesh(), bodies.options());
   EXPECT_TRUE(detector.is_free(screwed(1.5, 1.5)));
   const EarliestContact jammed = detector.earliest(screwed(1.5, 0));
   ASSERT_TRUE(jammed.contact);
@@ -222,7 +220,7 @@ TEST(MeshOnPath, AnArmOfTwoLinksReachesWhereItShould) {
   const auto with_ball_at = [&](const Point& place) {
     return RigidPath(bodies.rest, bodies.body, {arm, Chain{{{place, {0, 0, 0}}, {place, {0, 0, 0}}}}});
   };
-  Detector detector = lab::make_detector(bodies.mesh(), bodies.options());
+  Detector detector = yardstick::make_detector(bodies.mesh(), bodies.options());
   const EarliestContact hit = detector.earliest(with_ball_at({0, 2.2, 0}));
   ASSERT_TRUE(hit.contact);
   EXPECT_GT(hit.toi_lower, 0.5);
@@ -298,7 +296,7 @@ TEST(MeshOnPath, PiecesAreFewWhereNothingIsNear) {
 TEST(MeshOnPath, BadPathsAreNamed) {
   Bodies bodies;
   bodies.add(scenes::unit_sphere(1));
-  Detector detector = lab::make_detector(bodies.mesh(), bodies.options());
+  Detector detector = yardstick::make_detector(bodies.mesh(), bodies.options());
   const RigidPath fewer({{0, 0, 0}}, {0}, {Chain{}});
   EXPECT_THROW(detector.contacts(fewer), InvalidPath);
   const RigidPath still(bodies.rest, bodies.body, {Chain{}});

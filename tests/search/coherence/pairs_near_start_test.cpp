@@ -2,12 +2,12 @@
 // one that looks at every pair.
 #include <gtest/gtest.h>
 
-#include "paper/detector.hpp"
 #include "scenes/random.hpp"
 #include "scenes/scene_list.hpp"
 #include "support/as_new.hpp"
 #include "support/test_data.hpp"
 #include "support/test_names.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/components.hpp"
 
 namespace tamis::test {
@@ -39,9 +39,9 @@ class PairsNearStart : public testing::TestWithParam<Recipe> {};
 
 void expect_as_of_every_pair(const Scene& scene, const Detector& kept, const TruncatedStep& step, const Step& asked,
                              const QueryOptions& own, const std::string& where) {
-  lab::Options options(kept.options());
-  options.method = lab::Method::brute;
-  Detector brute = lab::make_detector(scene.mesh(), options);
+  yardstick::Options options(kept.options());
+  options.method = yardstick::Method::brute;
+  Detector brute = yardstick::make_detector(scene.mesh(), options);
   const TruncatedStep expected = brute.truncate(asked, 0.1, own);
   EXPECT_EQ(step.positions, expected.positions) << where;
   EXPECT_EQ(step.fractions, expected.fractions) << where;

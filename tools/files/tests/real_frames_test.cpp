@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "files/file_bytes.hpp"
 #include "files/mesh/mesh_file.hpp"
-#include "paper/queries/queries.hpp"
 #include "support/test_data.hpp"
 
 namespace tamis::io {
@@ -36,17 +34,6 @@ TEST_F(RealData, FramesHaveTheSizesTheirAuthorsGive) {
       largest_move = std::max(largest_move, std::abs(next.positions[v][axis] - funnel.positions[v][axis]));
   EXPECT_GT(largest_move, 0);
   EXPECT_LT(largest_move, 0.1);
-}
-
-TEST_F(RealData, EveryQueryIsReadAndHasItsAnswer) {
-  std::size_t queries = 0;
-  for (const lab::QueryFile& file : lab::query_files({(data_ / "queries").string()}))
-    for (const lab::Query& query :
-         lab::parse_queries(FileBytes(file.path).view(), file.kind.value(), file.path.string())) {
-      EXPECT_TRUE(query.touches.has_value());
-      ++queries;
-    }
-  EXPECT_EQ(queries, 4779u);
 }
 
 }  // namespace

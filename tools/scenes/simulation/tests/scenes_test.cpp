@@ -5,7 +5,6 @@
 
 #include <filesystem>
 
-#include "paper/detector.hpp"
 #include "scenes/simulation/simulator.hpp"
 #include "scenes/simulation/tests/intersection.hpp"
 #include "tamis/error.hpp"
@@ -66,28 +65,6 @@ TEST_P(EveryScene, KeepsEveryFrameFreeOfIntersections) {
     ASSERT_LT(simulator.particles().position.cwiseAbs().maxCoeff(), 10) << "something exploded";
   }
   EXPECT_GT(touches, 0U) << "nothing touches: the scene tests nothing";
-}
-
-// Bug: a path that is judged by the engine that made it: the published method must agree that it is free.
-TEST_P(EveryScene, MovesOnAPathThatAnotherMethodProvesFree) {
-  Model model = make();
-  const int parts = model.substeps;
-  model.frame_time /= parts;
-  model.substeps = 1;
-  lab::Options options;
-  options.method = lab::Method::paper;
-  options.filter = model.pair_filter();
-  Detector detector = lab::make_detector(model.mesh(), options);
-  Simulator simulator(std::move(model));
-  std::vector<Point> before = mesh_positions(simulator);
-  for (int step = 0; step < 4 * parts; ++step) {
-    simulator.advance();
-    const std::vector<Point> after = mesh_positions(simulator);
-    if (simulator.effort().substeps == 1) {
-      ASSERT_TRUE(detector.is_free({before, after})) << "substep " << step;
-    }
-    before = after;
-  }
 }
 
 // Bug: an order of threads, or memory left over, that leaks into the result.

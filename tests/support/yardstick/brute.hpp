@@ -2,9 +2,9 @@
 #pragma once
 #include "search/query/engine.hpp"
 
-namespace tamis::lab {
+namespace tamis::yardstick {
 
 /// Keeps references: mesh and options must outlive it.
 std::unique_ptr<Engine> make_brute_engine(const Mesh& mesh, const tamis::Options& options);
 
-}  // namespace tamis::lab
+}  // namespace tamis::yardstick

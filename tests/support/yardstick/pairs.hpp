@@ -5,7 +5,7 @@
 #include "search/query/pair_vertices.hpp"
 #include "search/topology/loose_features.hpp"
 
-namespace tamis::lab {
+namespace tamis::yardstick {
 
 inline bool are_adjacent(PairKind kind, const PairVertices& v) {
   if (kind == PairKind::edge_edge) return v[0] == v[2] || v[0] == v[3] || v[1] == v[2] || v[1] == v[3];
@@ -49,4 +49,4 @@ void for_each_pair(const Mesh& mesh, const PairFilter& filter, const F& f) {
   }
 }
 
-}  // namespace tamis::lab
+}  // namespace tamis::yardstick

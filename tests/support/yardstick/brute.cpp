@@ -1,19 +1,19 @@
 // Decides every pair of features, without hierarchy or filters: slow and plain, for tests.
-#include "paper/brute.hpp"
+#include "support/yardstick/brute.hpp"
 
 #include <algorithm>
 
 #include "pair/narrow/decide.hpp"
 #include "pair/narrow/near_pair.hpp"
-#include "paper/pairs.hpp"
 #include "search/query/cancellation.hpp"
 #include "search/query/pair_groups.hpp"
 #include "search/query/pair_vertices.hpp"
 #include "search/query/proximity_order.hpp"
 #include "search/query/stage_counts.hpp"
 #include "search/query/what_counts.hpp"
+#include "support/yardstick/pairs.hpp"
 
-namespace tamis::lab {
+namespace tamis::yardstick {
 namespace {
 
 class BruteEngine final : public Engine {
@@ -118,4 +118,4 @@ std::unique_ptr<Engine> make_brute_engine(const Mesh& mesh, const tamis::Options
   return std::make_unique<BruteEngine>(mesh);
 }
 
-}  // namespace tamis::lab
+}  // namespace tamis::yardstick

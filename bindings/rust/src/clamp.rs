@@ -3,42 +3,13 @@ use crate::error::Error;
 use crate::motion::Pose;
 use crate::shape::Shape;
 use crate::sys;
+pub use crate::sys::{End, Inertia, Velocity};
 use crate::world::{BodyId, World};
 use std::any::Any;
 use std::cell::{Cell, RefCell};
 use std::ffi::{c_int, c_void};
 use std::panic::{catch_unwind, resume_unwind, AssertUnwindSafe};
 use std::ptr::null;
-
-/// How a body answers impulses. All zero: it does not.
-#[repr(C)]
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Inertia {
-    /// Along each axis of the world.
-    pub inverse_mass: [f64; 3],
-    /// In the world's axes, row by row.
-    pub inverse_inertia: [f64; 9],
-}
-
-/// In the unit of the positions, and radians, a second.
-#[repr(C)]
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Velocity {
-    /// Of the origin of the body's poses.
-    pub linear: [f64; 3],
-    /// About it.
-    pub angular: [f64; 3],
-}
-
-/// What a body does in a clamped step.
-#[repr(C)]
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct End {
-    /// The part of its way that it may go, in [0, 1].
-    pub fraction: f64,
-    /// With which it begins the next step.
-    pub velocity: Velocity,
-}
 
 /// A step that an engine wants to make. The proof is about each body's way from `pose(body, 0)` to its final pose: the
 /// origin goes straight, and the body turns the shorter way about a fixed axis. The origin must be the centre of mass.
@@ -92,7 +63,7 @@ pub struct ClampOptions {
 
 impl Default for ClampOptions {
     fn default() -> Self {
-        ClampOptions { gap: 1e-3, rounds: 8 }
+        ClampOptions { gap: sys::DEFAULT_GAP, rounds: sys::DEFAULT_ROUNDS }
     }
 }
 

@@ -29,6 +29,7 @@ mod clamp;
 mod error;
 mod motion;
 mod shape;
+#[rustfmt::skip] // generated
 mod sys;
 mod world;
 
@@ -38,6 +39,7 @@ pub use clamp::{ClampOptions, Clamped, End, Inertia, Velocity, WantedStep};
 pub use error::Error;
 pub use motion::{Link, Motion, Pose};
 pub use shape::Shape;
+pub use sys::TAMIS_INVALID_MESH;
 pub use world::{AtStart, BodyId, Query, World};
 
 /// The version of the library that is linked, such as "0.1.0".

@@ -1,15 +1,6 @@
 use crate::error::{check, Error};
 use crate::sys;
-
-/// x goes to R x + position, R being the rotation by |rotation| radians about the direction of `rotation`.
-#[repr(C)]
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Pose {
-    /// Where the body's origin is.
-    pub position: [f64; 3],
-    /// Rotation vector.
-    pub rotation: [f64; 3],
-}
+pub use crate::sys::{Link, Pose};
 
 impl Pose {
     /// The pose of a quaternion (w x y z), as engines keep it, also in floats: its rounding errors are removed by
@@ -34,16 +25,6 @@ impl Pose {
         check(status, || format!("no pose at {time} of {chain:?}: give finite numbers and a time in [0, 1]"))?;
         Ok(pose)
     }
-}
-
-/// A pose whose position and rotation vector go linearly from `start` (t=0) to `end` (t=1). Any angle.
-#[repr(C)]
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Link {
-    /// At t=0.
-    pub start: Pose,
-    /// At t=1.
-    pub end: Pose,
 }
 
 /// How a body moves during a step.

@@ -4,7 +4,7 @@ use crate::motion::{Link, Motion};
 use crate::shape::Shape;
 use crate::sys;
 use std::ffi::c_int;
-use std::ptr::null_mut;
+use std::ptr::{null, null_mut};
 
 /// The number of a body in its world: 0, 1, 2, ... in the order in which bodies are added; never given twice.
 pub type BodyId = i32;
@@ -14,11 +14,11 @@ pub type BodyId = i32;
 pub enum AtStart {
     /// They are contacts.
     #[default]
-    Report = 0,
+    Report = sys::TAMIS_REPORT as isize,
     /// A pair is a contact only when it touches again, after a time at which it does not touch.
-    Ignore = 1,
+    Ignore = sys::TAMIS_IGNORE as isize,
     /// The question ends with an error, which names the first such pair.
-    Fail = 2,
+    Fail = sys::TAMIS_FAIL as isize,
 }
 
 /// Options of one question.
@@ -259,7 +259,12 @@ impl Drop for World {
 }
 
 fn options_of(query: &Query) -> sys::tamis_query_options {
-    sys::tamis_query_options::new(query.min_separation.as_ref(), query.at_start as i32, query.tolerance)
+    sys::tamis_query_options {
+        size: size_of::<sys::tamis_query_options>(),
+        min_separation: query.min_separation.as_ref().map_or(null(), |x| x),
+        at_start: query.at_start as i32,
+        tolerance: query.tolerance,
+    }
 }
 
 /// The motion of one body with this number of vertices.

@@ -1,7 +1,6 @@
 //! Asks every question and meets every refusal once; the expected answers are like those of the C++ tests.
-use tamis::{AtStart, BodyId, Error, Motion, Pose, Query, Shape, World};
+use tamis::{AtStart, BodyId, Error, Motion, Pose, Query, Shape, World, TAMIS_INVALID_MESH};
 
-const INVALID_MESH: i32 = 2;
 const INVALID_STEP: i32 = 3;
 const INVALID_OPTIONS: i32 = 4;
 
@@ -128,9 +127,9 @@ fn what_touches_at_the_start_is_reported_ignored_or_refused() {
 #[test]
 fn refusals_have_the_sentence_of_the_library() {
     let mesh = |points: &[[f64; 3]], faces: &[[i32; 3]]| Shape::new(points, faces).err().map(|e: Error| e.status);
-    assert_eq!(mesh(&[[0.0; 3]; 3], &[[0, 1, 3]]), Some(INVALID_MESH));
-    assert_eq!(mesh(&[[f64::NAN; 3]; 3], &[[0, 1, 2]]), Some(INVALID_MESH));
-    assert_eq!(mesh(&[], &[]), Some(INVALID_MESH));
+    assert_eq!(mesh(&[[0.0; 3]; 3], &[[0, 1, 3]]), Some(TAMIS_INVALID_MESH));
+    assert_eq!(mesh(&[[f64::NAN; 3]; 3], &[[0, 1, 2]]), Some(TAMIS_INVALID_MESH));
+    assert_eq!(mesh(&[], &[]), Some(TAMIS_INVALID_MESH));
     let (mut world, _) = falling();
     let refusal = world.move_body(7, &Motion::at(at(0.0))).unwrap_err();
     assert!(refusal.status == INVALID_OPTIONS && refusal.message.contains("body 7"), "{refusal}");

@@ -34,11 +34,11 @@ typedef struct tamis_step {
 
 /** One pair of features that touches during the step. */
 typedef struct tamis_contact {
-  int32_t kind;
-  int32_t certainty;
-  int32_t vertices[4];
-  double toi_lower; /**< fraction of the step in [0, 1]: the pair is apart on [0, toi_lower) */
-  double toi_upper; /**< if certified, it touches at some time of [toi_lower, toi_upper] */
+  int32_t kind;        /**< 0: a vertex and a face, 1: two edges, 2: a vertex and an edge, 3: two vertices */
+  int32_t certainty;   /**< TAMIS_CERTIFIED or TAMIS_UNRESOLVED */
+  int32_t vertices[4]; /**< of the first feature, then of the second; -1 where the kind has fewer */
+  double toi_lower;    /**< fraction of the step in [0, 1]: the pair is apart on [0, toi_lower) */
+  double toi_upper;    /**< if certified, it touches at some time of [toi_lower, toi_upper] */
   double u, v; /**< vf: point = (1-u-v) f0 + u f1 + v f2; ee: u on the first edge, v on the second; ve: u on the edge */
   /** Unit vector: the direction in which the first feature must go, or against which the second must go, so that they
    * part. With a minimum separation or radii, and for vertex-edge and vertex-vertex: from the second feature's closest
@@ -56,7 +56,7 @@ TAMIS_API tamis_status tamis_weights_of(int32_t kind, double u, double v, double
 
 /** A pair of features that are near each other; see NearPair in tamis/proximity.hpp. */
 typedef struct tamis_near_pair {
-  int32_t kind;
+  int32_t kind;        /**< as in tamis_contact */
   int32_t vertices[4]; /**< as in tamis_contact */
   double distance; /**< proven: off by at most 2^-41 of the largest |component| of the differences between the pair's
                       vertices, and by at most 2^-1075 more below the smallest normal double */
@@ -76,10 +76,10 @@ typedef struct tamis_safe_step {
 
 /** An edge that passes through a triangle, or touches it; see Intersection in tamis/proximity.hpp. */
 typedef struct tamis_intersection {
-  int32_t edge[2], face[3];
-  double s_lower, s_upper; /**< parameter of the first common point, from edge[0] on: in [s_lower, s_upper] */
-  double u, v;             /**< that point is (1-u-v) f0 + u f1 + v f2, rounded */
-  int32_t bodies[2];       /**< in a world the edge's body and the face's; from a detector -1 */
+  int32_t edge[2], face[3]; /**< vertices of the edge and of the face */
+  double s_lower, s_upper;  /**< parameter of the first common point, from edge[0] on: in [s_lower, s_upper] */
+  double u, v;              /**< that point is (1-u-v) f0 + u f1 + v f2, rounded */
+  int32_t bodies[2];        /**< in a world the edge's body and the face's; from a detector -1 */
 } tamis_intersection;
 
 /** Whether and when one pair touches during the step; members as in tamis_contact. If `touches` is 0, the others have

@@ -14,14 +14,14 @@ typedef struct tamis_path tamis_path;
 
 /** x goes to R x + position, R being the rotation by |rotation| radians about the direction of `rotation`. */
 typedef struct tamis_pose {
-  double position[3];
-  double rotation[3];
+  double position[3]; /**< where the body's origin is */
+  double rotation[3]; /**< rotation vector */
 } tamis_pose;
 
 /** A pose whose position and rotation vector go linearly from `start` (t=0) to `end` (t=1). Any angle. */
 typedef struct tamis_link {
-  tamis_pose start;
-  tamis_pose end;
+  tamis_pose start; /**< at t=0 */
+  tamis_pose end;   /**< at t=1 */
 } tamis_link;
 
 /** Writes the two links of a body's motion: from `start` the body turns at constant speed about the fixed axis of

@@ -9,13 +9,14 @@ extern "C" {
 
 /** As tamis::adapters::Inertia: how a body answers impulses. All zero: it does not. */
 typedef struct tamis_inertia {
-  double inverse_mass[3];
-  double inverse_inertia[9]; /**< row by row */
+  double inverse_mass[3];    /**< along each axis of the world */
+  double inverse_inertia[9]; /**< in the world's axes, row by row */
 } tamis_inertia;
 
+/** In the unit of the positions, and radians, a second. */
 typedef struct tamis_velocity {
-  double linear[3];
-  double angular[3];
+  double linear[3];  /**< of the origin of the body's poses */
+  double angular[3]; /**< about it */
 } tamis_velocity;
 
 /** A step that an engine wants to make; members as in tamis::adapters::WantedStep and ClampOptions. `user` is passed to
@@ -46,8 +47,8 @@ typedef struct tamis_wanted_step {
 
 /** What a body does: the fraction of its way that it may go, and the velocity with which it begins the next step. */
 typedef struct tamis_body_end {
-  double fraction;
-  tamis_velocity velocity;
+  double fraction;         /**< the part of its way that it may go, in [0, 1] */
+  tamis_velocity velocity; /**< with which it begins the next step */
 } tamis_body_end;
 
 typedef struct tamis_clamped {

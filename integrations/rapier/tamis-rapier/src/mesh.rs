@@ -2,7 +2,7 @@
 use glamx::{DPose3, DVec3};
 use rapier3d::math::{Pose, Vector};
 use rapier3d::parry::shape::{Shape, TypedShape};
-use tamis::Error;
+use tamis::{Error, TAMIS_INVALID_MESH};
 
 #[derive(Debug, Clone, Default)]
 pub struct Mesh {
@@ -36,7 +36,7 @@ impl Mesh {
                     "a collider is a {:?}, which has no triangles: give it some by set_mesh",
                     shape.shape_type()
                 );
-                return Err(Error { status: INVALID_MESH, message });
+                return Err(Error { status: TAMIS_INVALID_MESH, message });
             }
         };
         let faces: Vec<_> = faces.iter().map(|f| f.map(|corner| corner as i32)).collect();
@@ -44,9 +44,6 @@ impl Mesh {
         Ok(())
     }
 }
-
-/// `TAMIS_INVALID_MESH`.
-const INVALID_MESH: i32 = 2;
 
 pub fn double(p: Vector) -> DVec3 {
     DVec3::new(f64::from(p.x), f64::from(p.y), f64::from(p.z))

@@ -191,10 +191,10 @@ class Clamp {
 
   void set_off(BodyId body) {
     const Pose start = step_.pose(body, 0), end = step_.pose(body, fractions_.at(body));
-    const Chain way = between(start, end);
+    const RigidChain way = chain_between(start, end);
     double& travel = travels_[body];
     travel = 0;
-    for (const Link& link : way)
+    for (const RigidLink& link : way)
       travel += length({link.end.position[0] - link.start.position[0], link.end.position[1] - link.start.position[1],
                         link.end.position[2] - link.start.position[2]}) +
                 step_.radius(body) * length({link.end.rotation[0] - link.start.rotation[0],
@@ -310,7 +310,7 @@ class Clamp {
 
 }  // namespace
 
-BodyMotion resting(const Pose& pose) { return Rigid{Chain{{pose, pose}}}; }
+BodyMotion resting(const Pose& pose) { return Rigid{RigidChain{{pose, pose}}}; }
 
 std::set<BodyPair> overlapping(World& world) {
   std::set<BodyPair> pairs;

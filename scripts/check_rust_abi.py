@@ -17,7 +17,7 @@ CRATE = ROOT / "bindings/rust/src"
 IN_RUST = {
     **{"int": "c_int", "tamis_status": "c_int", "int32_t": "i32", "double": "f64", "size_t": "usize"},
     **{"char": "c_char", "void": "c_void"},
-    **{"tamis_pose": "Pose", "tamis_link": "Link", "tamis_contact": "Contact"},
+    **{"tamis_pose": "Pose", "tamis_rigid_link": "RigidLink", "tamis_contact": "Contact"},
     **{"tamis_near_pair": "NearPair", "tamis_intersection": "Intersection"},
     **{"tamis_body_end": "End", "tamis_velocity": "Velocity", "tamis_inertia": "Inertia"},
 }

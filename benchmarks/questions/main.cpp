@@ -45,7 +45,7 @@ struct Bench {
 
   /// Decides a list of the step's own contacts, as if a broad phase had found them.
   void list_of_pairs() {
-    std::vector<Pair> pairs;
+    std::vector<FeaturePair> pairs;
     for (const Contact& c : detector.contacts(step)) pairs.push_back({c.kind, c.vertices});
     std::vector<PairResult> results(pairs.size());
     PairOptions options;

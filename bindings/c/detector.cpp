@@ -11,10 +11,10 @@ using namespace tamis::c;
 
 namespace {
 
-tamis::Stored known_stored(int32_t stored) {
+tamis::StoredType known_stored(int32_t stored) {
   if (stored != TAMIS_FLOAT64 && stored != TAMIS_FLOAT32)
     throw InvalidArgument("stored is " + std::to_string(stored) + ": give TAMIS_FLOAT64 or TAMIS_FLOAT32");
-  return static_cast<tamis::Stored>(stored);
+  return static_cast<tamis::StoredType>(stored);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"
 #include "tamis/step_length.hpp"
-#include "tamis/stored.hpp"
+#include "tamis/stored_type.hpp"
 
 namespace tamis {
 
@@ -103,7 +103,7 @@ class Detector {
   /// changes nothing, and the proof holds for what is stored. Throws InvalidOptions unless 0 < keep < 1; with floats
   /// InvalidStep unless `start` consists of values of floats and `end` is within their range.
   TruncatedStep truncate(const Step& step, double keep = 0.1, const QueryOptions& = {},
-                         Stored stored = Stored::float64);
+                         StoredType stored = StoredType::float64);
 
   const Mesh& mesh() const;
   const Options& options() const;

@@ -47,7 +47,7 @@ PairResult vertex_edge(const std::array<Point, 3>& start, const std::array<Point
 PairResult vertex_vertex(const std::array<Point, 2>& start, const std::array<Point, 2>& end, const PairOptions& = {});
 
 /// One pair of a list: what a broad phase hands on.
-struct Pair {
+struct FeaturePair {
   PairKind kind;
   /// Rows of the step's positions, in the order of the functions above: p a b c, a0 a1 b0 b1, p a b, or p q. Entries
   /// that a kind does not use are not read.
@@ -59,9 +59,9 @@ struct Pair {
 /// are read. Throws InvalidStep, naming the first such pair, if a kind does not exist, an index is no row, or a
 /// coordinate is not finite; also unless there are as many results as pairs. Throws InvalidOptions on an option outside
 /// its range.
-void narrow_phase(std::span<const Pair> pairs, const Step& step, std::span<PairResult> results,
+void narrow_phase(std::span<const FeaturePair> pairs, const Step& step, std::span<PairResult> results,
                   const PairOptions& = {});
-std::vector<PairResult> narrow_phase(std::span<const Pair> pairs, const Step& step, const PairOptions& = {});
+std::vector<PairResult> narrow_phase(std::span<const FeaturePair> pairs, const Step& step, const PairOptions& = {});
 /// The same for pairs of one kind that are given as points: four, three or two a pair, one pair behind the other.
 /// Throws InvalidStep unless both ends have as many points as `results` needs.
 void narrow_phase(PairKind kind, std::span<const Point> start, std::span<const Point> end,

@@ -17,5 +17,5 @@
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"
 #include "tamis/step_length.hpp"
-#include "tamis/stored.hpp"
+#include "tamis/stored_type.hpp"
 #include "tamis/world.hpp"

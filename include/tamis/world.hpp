@@ -44,14 +44,14 @@ struct Static {
   Pose pose = {};
 };
 
-/// The body moves as a whole, by a chain of links (tamis/rigid_path.hpp: `interpolated`, `turned`, `between`). If no
-/// rotation of the chain changes, each vertex goes straight, from its start rounded to doubles to its end rounded to
-/// doubles. In one step the links together turn by no more than 4096 radians. No rotation vector, not even of a static
-/// body, is longer than 2^32 (docs/worlds.md, "How far a body may turn").
-/// Bodies whose chains begin with equal links move relative to each other by the links behind these alone: bodies that
-/// one gripper holds are told its links, then a constant one each.
+/// The body moves as a whole, by a chain of links (tamis/rigid_path.hpp: `interpolated_chain`, `turned_chain`,
+/// `chain_between`). If no rotation of the chain changes, each vertex goes straight, from its start rounded to doubles
+/// to its end rounded to doubles. In one step the links together turn by no more than 4096 radians. No rotation vector,
+/// not even of a static body, is longer than 2^32 (docs/worlds.md, "How far a body may turn"). Bodies whose chains
+/// begin with equal links move relative to each other by the links behind these alone: bodies that one gripper holds
+/// are told its links, then a constant one each.
 struct Rigid {
-  Chain chain;
+  RigidChain chain;
 };
 
 /// Each vertex goes straight from `start` (t=0) to `end` (t=1), in the frame of the world. The body may touch itself.
@@ -164,8 +164,8 @@ class World {
 
   /// Pairs of features within `distance` plus both radii where all bodies are at t=0, rounded to doubles; sorted as
   /// contacts. This question and the next two leave out two bodies that are both Static, even where they pass through
-  /// each other. To ask about them before the first step tell them Rigid{interpolated(pose, pose)}, ask, and tell them
-  /// Static again.
+  /// each other. To ask about them before the first step tell them Rigid{interpolated_chain(pose, pose)}, ask, and tell
+  /// them Static again.
   std::vector<BodyNearPair> pairs_within(double distance);
   /// Edges that pass through triangles at t=0, sorted by bodies, edge and face; not of two Static bodies (see
   /// `pairs_within`).

@@ -63,7 +63,7 @@ bool Detector::is_free(const Path& path, const QueryOptions& options) {
   return LockedState(*this)->is_free(CutPath{path}, options);
 }
 
-TruncatedStep Detector::truncate(const Step& step, double keep, const QueryOptions& options, Stored stored) {
+TruncatedStep Detector::truncate(const Step& step, double keep, const QueryOptions& options, StoredType stored) {
   return LockedState(*this)->truncate(step, keep, options, stored);
 }
 

@@ -148,18 +148,18 @@ SafeStep Detector::State::step_length(const Query& query, double keep, AtStart a
   return answer;
 }
 
-TruncatedStep Detector::State::truncate(const Step& step, double keep, const QueryOptions& asked, Stored stored) {
+TruncatedStep Detector::State::truncate(const Step& step, double keep, const QueryOptions& asked, StoredType stored) {
   validate_kept_of_truncate(keep);
   validate_is_named(stored, "kind of numbers that are stored");
   Query whole = validated_query(step, asked);
-  if (stored == Stored::float64) return truncate(whole, keep, asked.at_start, stored);
+  if (stored == StoredType::float64) return truncate(whole, keep, asked.at_start, stored);
   validate_stored(step, mesh, stored);
   const std::vector<Point> end = rounded(step.end, stored);
   whole.step.end = end;
   return truncate(whole, keep, asked.at_start, stored);
 }
 
-TruncatedStep Detector::State::truncate(const Query& whole, double keep, AtStart at_start, Stored stored) {
+TruncatedStep Detector::State::truncate(const Query& whole, double keep, AtStart at_start, StoredType stored) {
   const KeptFractions fractions(keep);
   const double common_time = step_length(whole, fractions.together, at_start).lower;
   TruncatedStep answer;

@@ -52,7 +52,7 @@ struct Detector::State {
   SafeStep safe_step(const Step& step, double keep, const QueryOptions& asked);
   /// On a path, a pair that starts nearer to its separation than doubles can tell ends the step at t=0.
   SafeStep safe_step(const CutPath& path, double keep, const QueryOptions& asked);
-  TruncatedStep truncate(const Step& step, double keep, const QueryOptions& asked, Stored stored);
+  TruncatedStep truncate(const Step& step, double keep, const QueryOptions& asked, StoredType stored);
   const std::vector<NearPair>& find_near(const Positions& positions, double distance);
   /// All intersections, or for `is_free` some, if there are any. In a world's mesh only those that `accepts` of the
   /// options' filter accepts: it is called with a vertex of the edge, and the face.
@@ -77,7 +77,7 @@ struct Detector::State {
   void on_path(const CutPath& path, double keep, const QueryOptions& asked, Question question, const BodyPairs* each_of,
                const Find& find);
   /// Truncates the step of a validated query. The caller can store the positions at its end.
-  TruncatedStep truncate(const Query& whole, double keep, AtStart at_start, Stored stored);
+  TruncatedStep truncate(const Query& whole, double keep, AtStart at_start, StoredType stored);
   /// Runs a loop over the vertices, in the arena if it is long enough for threads to share.
   template <class Work>
   void in_arena_if_long(const Work& work);

@@ -144,7 +144,7 @@ void validate(const Step& step, const Mesh& mesh) {
   validate(step.end, mesh, "the end of the step");
 }
 
-void validate_stored(const Step& step, const Mesh& mesh, Stored stored) {
+void validate_stored(const Step& step, const Mesh& mesh, StoredType stored) {
   for (const Index v : mesh.points())
     for (std::size_t k = 0; k < 3; ++k) {
       const double start = step.start[v][k], end = step.end[v][k];

@@ -7,7 +7,7 @@
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
 #include "tamis/step.hpp"
-#include "tamis/stored.hpp"
+#include "tamis/stored_type.hpp"
 
 namespace tamis {
 
@@ -30,7 +30,7 @@ void validate_of_step(const QueryOptions& options);
 void validate_of_path(const QueryOptions& options);
 /// Throws InvalidStep: the start of a used vertex is no number of kind `stored`, or its end, rounded to such numbers,
 /// is infinite.
-void validate_stored(const Step& step, const Mesh& mesh, Stored stored);
+void validate_stored(const Step& step, const Mesh& mesh, StoredType stored);
 
 /// Throws InvalidOptions unless each option lies in its range.
 void validate(const PairOptions& options);

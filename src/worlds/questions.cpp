@@ -46,7 +46,7 @@ void World::State::for_each_by_itself(const F& f) {
 }
 
 template <class Ask>
-bool World::State::ask_turning(Gathering& gathering, const BodyList& seen, const Chain& carrier,
+bool World::State::ask_turning(Gathering& gathering, const BodyList& seen, const RigidChain& carrier,
                                const std::vector<BodyPair>& pairs, const NearDistance& distance,
                                const QueryOptions& asked, const Ask& ask) {
   const std::vector<double> times = times_of_pieces(seen, pairs, distance);

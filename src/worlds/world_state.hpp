@@ -67,8 +67,9 @@ struct World::State {
   /// Asks about pairs of which one body turns, in the world or in a frame (`seen`, as for gather()); returns false if
   /// no more is to be asked.
   template <class Ask>
-  bool ask_turning(Gathering& gathering, const BodyList& seen, const Chain& carrier, const std::vector<BodyPair>& pairs,
-                   const NearDistance& distance, const QueryOptions& asked, const Ask& ask);
+  bool ask_turning(Gathering& gathering, const BodyList& seen, const RigidChain& carrier,
+                   const std::vector<BodyPair>& pairs, const NearDistance& distance, const QueryOptions& asked,
+                   const Ask& ask);
   /// Calls ask(state of a detector, motion, options, whose) for each detector, until one call returns false: with a
   /// Step and the gathered bodies that go straight; with a CutPath and those of which one turns, also in each frame of
   /// bodies that turn together; with the Step and the number of each deforming body. `displacement_factor`: as in

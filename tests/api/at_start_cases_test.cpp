@@ -100,9 +100,9 @@ TEST(AtStart, OnACurveWhatDoesNotComeBackIsIgnoredAndCountedOnce) {
   const double whole_turn = 2 * std::acos(-1.0);
   const RigidPath path(rest, {0, 0, 0, 0, 1, 2, 3},
                        {{},
-                        interpolated(still, {{0, 0, 1}, {0, 0, 0}}),
-                        interpolated({{0, 2, 1}, {0, 0, 0}}, {{0, 2, 1}, {whole_turn, 0, 0}}),
-                        interpolated(still, {{0, 0, -1}, {0, 0, 0}})});
+                        interpolated_chain(still, {{0, 0, 1}, {0, 0, 0}}),
+                        interpolated_chain({{0, 2, 1}, {0, 0, 0}}, {{0, 2, 1}, {whole_turn, 0, 0}}),
+                        interpolated_chain(still, {{0, 0, -1}, {0, 0, 0}})});
   Detector detector(Mesh(7, {{0, 1, 2}}, {}, {3, 4, 5, 6}));
   QueryOptions ignore = kIgnore;
   ignore.min_separation = 0.01;
@@ -137,7 +137,7 @@ TEST(AtStart, FailsOnACurveThoughOthersTouchLater) {
     std::iota(points.begin(), points.end(), 3);
     std::fill_n(body_of_vertex.begin(), 3, 0);
     Detector detector(Mesh(static_cast<Index>(rest.size()), {{0, 1, 2}}, {}, points));
-    const RigidPath path(rest, body_of_vertex, {{}, interpolated({}, {{0, 0, -1}, {0, 0, 0.1}})});
+    const RigidPath path(rest, body_of_vertex, {{}, interpolated_chain({}, {{0, 0, -1}, {0, 0, 0.1}})});
     EXPECT_THROW(detector.is_free(path, kFail), InvalidStep) << later;
     EXPECT_FALSE(detector.is_free(path)) << later;
   }

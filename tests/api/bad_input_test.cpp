@@ -63,7 +63,7 @@ TEST_P(BadInput, MorePositionsThanAnIndexCounts) {
 TEST(BadInputOfLists, MorePositionsThanAnIndexCounts) {
   const Scene scene = scenes::scene_by_name("soup", 5, 1);
   const std::span<const Point> too_many(scene.start.data(), scene.start.size() + (std::size_t{1} << 32));
-  const std::vector<Pair> pairs{{PairKind::vertex_vertex, {0, 1}}};
+  const std::vector<FeaturePair> pairs{{PairKind::vertex_vertex, {0, 1}}};
   const auto ask = [&] { narrow_phase(pairs, {too_many, too_many}); };
   EXPECT_NE(message_of<InvalidStep>(ask).find("2^31"), std::string::npos);
 }

@@ -111,7 +111,7 @@ TEST(PairDistance, APairThatIsApartAtTheStartHasAllOfItsDistanceThere) {
 TEST(PairDistance, NothingAfterTheLatestTimeOfInterestMatters) {
   // A point goes from height 1 to -3 over a point at rest: half of the distance is left at t = 1/8.
   const std::vector<Point> start{{0, 0, 1}, {0, 0, 0}}, end{{0, 0, -3}, {0, 0, 0}};
-  const Pair pair{PairKind::vertex_vertex, {0, 1, -1, -1}};
+  const FeaturePair pair{PairKind::vertex_vertex, {0, 1, -1, -1}};
   EXPECT_NEAR(safe_step(pair, {start, end}, 0.5).lower, 0.125, 1e-6);
   const SafeStep early = safe_step(pair, {start, end}, 0.5, {.latest = 0.1});
   EXPECT_EQ(early.lower, 0.1);
@@ -120,7 +120,7 @@ TEST(PairDistance, NothingAfterTheLatestTimeOfInterestMatters) {
   EXPECT_NEAR(safe_step(pair, {start, end}, 0, {.latest = 0.3}).lower, 0.25, 1e-9);
 }
 
-TEST(Pair, ALatestTimeOfInterestOnlyMakesLaterPairsFree) {
+TEST(FeaturePair, ALatestTimeOfInterestOnlyMakesLaterPairsFree) {
   test::Random random(11);
   int early = 0, late = 0;
   for (const auto& family : test::kFamilies)
@@ -143,7 +143,7 @@ TEST(Pair, ALatestTimeOfInterestOnlyMakesLaterPairsFree) {
 
 TEST(PairDistance, BadInputIsNamed) {
   const std::vector<Point> points(4, Point{0, 0, 0}), fewer(3);
-  const Pair pair{PairKind::vertex_face, kAll};
+  const FeaturePair pair{PairKind::vertex_face, kAll};
   EXPECT_THROW(distance_of({PairKind::vertex_face, {0, 1, 2, 4}}, points), InvalidStep);
   EXPECT_THROW(distance_of({static_cast<PairKind>(7), kAll}, points), InvalidStep);
   EXPECT_THROW(safe_step(pair, {points, fewer}, 0.5), InvalidStep);

@@ -14,7 +14,7 @@ namespace {
 /// The message that refuses to truncate the scene's step to floats; empty if it is not refused.
 std::string refusal(const Scene& scene) {
   try {
-    Detector(scene.mesh()).truncate(scene.step(), 0.1, {}, Stored::float32);
+    Detector(scene.mesh()).truncate(scene.step(), 0.1, {}, StoredType::float32);
   } catch (const InvalidStep& error) {
     return error.what();
   }

@@ -55,6 +55,6 @@ int main() {
   const tamis::PairOptions list{.threads = 1};
   const tamis::PairOptions path{.tolerance = 1e-6};
   const tamis::Pose pose{.rotation = {0, 0, 1}};
-  const tamis::Link link{.end = pose};
+  const tamis::RigidLink link{.end = pose};
   return options.threads + int(pair.latest + path.tolerance) + list.threads + int(link.start.position[0]);
 }

@@ -197,7 +197,7 @@ TEST(World, KnowsHowFarARodMayTurn) {
   const Shape ground(Mesh(3, {{0, 1, 2}}), {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}});
   World world(one_thread());
   world.add(ground, Static{{{0, 0, -1}, {}}});
-  world.add(rod, Rigid{interpolated({}, {{}, {0, 1, 0}})});
+  world.add(rod, Rigid{interpolated_chain({}, {{}, {0, 1, 0}})});
   for (const double keep : {0.0, 0.1, 0.5}) {
     const BodyStep step = world.safe_step(keep);
     EXPECT_NEAR(step.lower, std::asin((1 - keep) / 2), 1e-8);

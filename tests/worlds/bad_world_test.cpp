@@ -61,7 +61,7 @@ TEST(BadWorld, RefusesMotionsThatAreNone) {
   const BodyId body = world.add(triangle(), Static{});
   const std::string pose = "a pose of body 0 is not finite: give finite positions and rotation vectors";
   expect_refused<InvalidStep>([&] { world.move(body, Static{{{kNan, 0, 0}, {}}}); }, pose);
-  expect_refused<InvalidStep>([&] { world.move(body, Rigid{interpolated({}, {{}, {0, kNan, 0}})}); }, pose);
+  expect_refused<InvalidStep>([&] { world.move(body, Rigid{interpolated_chain({}, {{}, {0, kNan, 0}})}); }, pose);
   const std::vector<Point> points = triangle().points();
   expect_refused<InvalidStep>(
       [&] {
@@ -87,7 +87,7 @@ TEST(BadWorld, RefusesMotionsThatAreNone) {
 TEST(BadWorld, RefusesMotionsBeyondDoublesByTheBody) {
   const Shape large(Mesh(3, {{0, 1, 2}}), {{1e308, 0, 0}, {0, 0, 0}, {0, 1, 0}});
   World world;
-  world.add(triangle(), Rigid{interpolated({}, {{0, 0, 1}, {0, 0, 1}})});
+  world.add(triangle(), Rigid{interpolated_chain({}, {{0, 0, 1}, {0, 0, 1}})});
   const BodyId body = world.add(large, Static{{{-1e308, 0, 0}, {}}});
   const auto beyond = [](const std::string& vertex, const std::string& when) {
     return "where vertex " + vertex + " of body 1 is at the " + when +
@@ -95,7 +95,7 @@ TEST(BadWorld, RefusesMotionsBeyondDoublesByTheBody) {
   };
   const Pose far{{1e308, 0, 0}, {}};
   expect_refused<InvalidStep>([&] { world.move(body, Static{far}); }, beyond("0", "start"));
-  expect_refused<InvalidStep>([&] { world.move(body, Rigid{interpolated({}, far)}); }, beyond("0", "end"));
+  expect_refused<InvalidStep>([&] { world.move(body, Rigid{interpolated_chain({}, far)}); }, beyond("0", "end"));
   const Pose arm{{1.5e308, 0, 0}, {}}, back{{-1.5e308, 0, 0}, {}}, turn{{}, {0, 0, 0.1}};
   expect_refused<InvalidStep>(
       [&] {
@@ -122,21 +122,22 @@ TEST(BadWorld, RefusesTurnsThatNobodyWaitsForOrMeans) {
   const auto turns = [](const std::string& radians) {
     return "body 0 turns by " + radians + " radians in one step, beyond 4096: ask about parts of the step";
   };
-  expect_refused<InvalidStep>([&] { world.move(body, Rigid{interpolated({}, turn(0, 0, 4097))}); }, turns("4097"));
-  expect_refused<InvalidStep>([&] { world.move(body, Rigid{turned({}, {3000, 0, 4000}, {})}); }, turns("5000"));
-  const Link half{{}, turn(0, 3000, 0)};
+  expect_refused<InvalidStep>([&] { world.move(body, Rigid{interpolated_chain({}, turn(0, 0, 4097))}); },
+                              turns("4097"));
+  expect_refused<InvalidStep>([&] { world.move(body, Rigid{turned_chain({}, {3000, 0, 4000}, {})}); }, turns("5000"));
+  const RigidLink half{{}, turn(0, 3000, 0)};
   expect_refused<InvalidStep>([&] { world.move(body, Rigid{{half, half}}); }, turns("6000"));
   const auto is_long = [](const std::string& radians) {
     return "a rotation vector of body 0 is " + radians +
            " radians long, beyond 2^32: take whole turns off it, as doubles have no finer angles there";
   };
   expect_refused<InvalidStep>([&] { world.move(body, Static{turn(0, 1e17, 0)}); }, is_long("1e+17"));
-  expect_refused<InvalidStep>([&] { world.move(body, Rigid{interpolated(turn(6e9, 0, 8e9), turn(6e9, 0, 8e9))}); },
-                              is_long("1e+10"));
-  const std::vector<BodyMotion> motions{Static{}, Rigid{interpolated({}, turn(0, -5000, 0))}};
+  expect_refused<InvalidStep>(
+      [&] { world.move(body, Rigid{interpolated_chain(turn(6e9, 0, 8e9), turn(6e9, 0, 8e9))}); }, is_long("1e+10"));
+  const std::vector<BodyMotion> motions{Static{}, Rigid{interpolated_chain({}, turn(0, -5000, 0))}};
   expect_refused<InvalidStep>([&] { world.earliest_many(std::array{body}, motions); }, "motion 1: " + turns("5000"));
   world.move(body, Static{turn(0, 0, 0x1p32)});
-  world.move(body, Rigid{interpolated(turn(0, 0, 1e9), turn(0, 0, 1e9 - 4096))});
+  world.move(body, Rigid{interpolated_chain(turn(0, 0, 1e9), turn(0, 0, 1e9 - 4096))});
   world.move(body, Rigid{{{turn(0, 0, 1e9), turn(0, 0, 1e9)}, half}});
 }
 
@@ -194,7 +195,7 @@ TEST(BadWorld, RefusesWhatCannotTouch) {
 TEST(BadWorld, FailsForWhatTouchesAtTheStart) {
   World world;
   world.add(triangle(), Static{});
-  const BodyId moving = world.add(triangle(), Rigid{interpolated({{0, 0, 0.1}, {}}, {{0, 0, 1}, {}})});
+  const BodyId moving = world.add(triangle(), Rigid{interpolated_chain({{0, 0, 0.1}, {}}, {{0, 0, 1}, {}})});
   const QueryOptions fail{.min_separation = 0.2, .at_start = AtStart::fail};
   const std::string sentence =
       "vertex 0 and face 0 1 2 of bodies 0 and 1 touch at the start, or are nearer than can be told: move them apart, "
@@ -203,7 +204,7 @@ TEST(BadWorld, FailsForWhatTouchesAtTheStart) {
   expect_refused<InvalidStep>([&] { world.earliest(fail); }, sentence);
   expect_refused<InvalidStep>([&] { world.is_free(fail); }, sentence);
   expect_refused<InvalidStep>([&] { world.safe_step(0.1, fail); }, sentence);
-  world.move(moving, Rigid{interpolated({{0, 0, 0.1}, {}}, {{0, 0, 1}, {0, 0, 1}})});
+  world.move(moving, Rigid{interpolated_chain({{0, 0, 0.1}, {}}, {{0, 0, 1}, {0, 0, 1}})});
   expect_refused<InvalidStep>([&] { world.contacts(fail); }, sentence);
   expect_refused<InvalidStep>([&] { world.is_free(fail); }, sentence);
   EXPECT_TRUE(world.is_free({.min_separation = 0.05, .at_start = AtStart::fail}));
@@ -232,7 +233,7 @@ TEST(World, TakesAShapeThatHasBeenMovedFrom) {
 TEST(BadWorld, ManyBodiesAreChangedOrNone) {
   const Shape body = cube();
   World world;
-  const std::vector<BodyId> both = world.add_many(body, {Static{}, Rigid{interpolated({}, {{1, 0, 0}, {}})}});
+  const std::vector<BodyId> both = world.add_many(body, {Static{}, Rigid{interpolated_chain({}, {{1, 0, 0}, {}})}});
   EXPECT_EQ(both, (std::vector<BodyId>{0, 1}));
   const Deforming too_few{{{0, 0, 0}}, {{0, 0, 0}}};
   EXPECT_THROW(world.add_many(body, {Static{}, too_few}), InvalidStep);
@@ -244,7 +245,7 @@ TEST(BadWorld, ManyBodiesAreChangedOrNone) {
   const std::vector<std::array<BodyId, 2>> pairs{{0, 1}, {0, 7}};
   EXPECT_THROW(world.set_may_touch(pairs, false), InvalidOptions);
   EXPECT_FALSE(world.contacts().empty());
-  world.move_many(both, {Rigid{interpolated({}, {{1, 0, 0}, {}})}, Static{{{9, 0, 0}, {}}}});
+  world.move_many(both, {Rigid{interpolated_chain({}, {{1, 0, 0}, {}})}, Static{{{9, 0, 0}, {}}}});
   EXPECT_EQ(world.motion(0).index(), 1U);
   EXPECT_EQ(world.add(body, Static{}), 2);
 }

@@ -14,7 +14,7 @@ namespace {
 
 /// At a height above the floor, falling by one.
 Rigid falling(double height, const Point& turn = {0, 0, 0}) {
-  return {turned({{0, 0, height}, {}}, turn, {0, 0, height - 1})};
+  return {turned_chain({{0, 0, height}, {}}, turn, {0, 0, height - 1})};
 }
 
 TEST(World, HasNoContactsWithoutBodies) {
@@ -50,7 +50,7 @@ TEST(World, AnswersSoonWhereFacesSlideInOnePlane) {
   const auto first_touch = [](double height) {
     World world;
     world.add(cube(), Static{{{0, 0, 0}, {0, 0, 0.3}}});
-    world.add(cube(), Rigid{turned({{1.25, 0, height}, {}}, {0, 0, 0.8}, {1.25, 0, height})});
+    world.add(cube(), Rigid{turned_chain({{1.25, 0, height}, {}}, {0, 0, 0.8}, {1.25, 0, height})});
     return world.earliest();
   };
   const EarliestBodyContact in_plane = first_touch(0), apart = first_touch(0.25);
@@ -131,7 +131,7 @@ TEST(World, AsksADeformingBodyAboutItself) {
 TEST(World, FindsTwoBodiesInOnePlace) {
   World world;
   world.add(cube(), Static{});
-  world.add(cube(), Rigid{interpolated({}, {{0, 0, 0.25}, {}})});
+  world.add(cube(), Rigid{interpolated_chain({}, {{0, 0, 0.25}, {}})});
   EXPECT_EQ(world.earliest().toi_lower, 0);
   EXPECT_FALSE(world.intersections().empty());
   EXPECT_TRUE(world.has_intersection());
@@ -142,7 +142,7 @@ TEST(World, FindsTwoBodiesInOnePlace) {
 TEST(World, FindsNoIntersectionOfBodiesThatAreKeptApart) {
   const Shape lying(Mesh(3, {{0, 1, 2}}), {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
   const Shape standing(Mesh(3, {{0, 1, 2}}), {{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}});
-  const auto at = [](double x) { return Rigid{interpolated({{x, 0, 0}, {}}, {{x, 0, 0}, {}})}; };
+  const auto at = [](double x) { return Rigid{interpolated_chain({{x, 0, 0}, {}}, {{x, 0, 0}, {}})}; };
   World world;
   const BodyId a = world.add(lying, at(1)), b = world.add(lying, at(0)), c = world.add(standing, at(0.5)),
                d = world.add(standing, at(-1));
@@ -162,8 +162,8 @@ TEST(World, FindsNoIntersectionOfBodiesThatAreKeptApart) {
 TEST(World, HasTheBitsOfAnIntersectionFromItsPairAlone) {
   const auto places_of = [](bool has_floor) {
     World world;
-    world.add(cube(), Rigid{interpolated({{0.1, 0.2, 0.3}, {0.1, 0.7, 0.2}}, {})});
-    world.add(cube(), Rigid{interpolated({{0.5, 0.3, 0.1}, {0.9, 0.1, 0.4}}, {})});
+    world.add(cube(), Rigid{interpolated_chain({{0.1, 0.2, 0.3}, {0.1, 0.7, 0.2}}, {})});
+    world.add(cube(), Rigid{interpolated_chain({{0.5, 0.3, 0.1}, {0.9, 0.1, 0.4}}, {})});
     if (has_floor) world.add(floor(), Static{});
     std::vector<std::array<double, 4>> places;
     for (const BodyIntersection& one : world.intersections())
@@ -181,7 +181,7 @@ TEST(World, KeepsManyRadiiAsItKeepsOne) {
     World world(one_thread());
     for (int i = 0; i < 4000; ++i) {
       const Pose place{{0, 0, 0.5 * i}, {}}, next{{0.01 * (i % 3), 0, 0.5 * i}, {}};
-      world.set_radius(world.add(plate, Rigid{interpolated(place, next)}), radius_of(i));
+      world.set_radius(world.add(plate, Rigid{interpolated_chain(place, next)}), radius_of(i));
     }
     EXPECT_TRUE(world.is_free());
     EXPECT_FALSE(world.is_free({.min_separation = 0.4}));
@@ -198,7 +198,7 @@ TEST(World, IgnoresWhatTouchesAtTheStart) {
     world.add(floor(), Static{});
     // Within the separation at the start; up, and where it comes back down, it meets the floor again.
     const Pose low{{0, 0, 1 + 0.5 * gap}, {}}, high{{0, 0, 1.5}, turn};
-    const BodyId moving = world.add(cube(), Rigid{interpolated(low, high)});
+    const BodyId moving = world.add(cube(), Rigid{interpolated_chain(low, high)});
     const QueryOptions ignore{.min_separation = gap, .at_start = AtStart::ignore};
     EXPECT_EQ(world.earliest({.min_separation = gap}).toi_lower, 0);
     EXPECT_TRUE(world.is_free(ignore));

@@ -12,7 +12,8 @@ using ContactsByPair = std::map<NamedPair, Contact>;
 
 bool turns(const TestWorld& world, BodyId id) {
   const auto* rigid = std::get_if<Rigid>(&world.bodies[place(id)].motion);
-  return rigid && std::ranges::any_of(rigid->chain, [](const Link& l) { return l.start.rotation != l.end.rotation; });
+  return rigid &&
+         std::ranges::any_of(rigid->chain, [](const RigidLink& l) { return l.start.rotation != l.end.rotation; });
 }
 
 /// Of the detector: on curves where one of the two bodies turns, else on the step.

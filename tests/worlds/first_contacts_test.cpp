@@ -121,7 +121,8 @@ TEST(FirstContacts, OfEachPairHoweverLate) {
     World world;
     world.add(plate, Static{});
     const auto down = [&](double from, const Point& aside) {
-      return Rigid{interpolated({{aside[0], aside[1], from}, {}}, {{aside[0], aside[1], from - 1}, {0, 0, turn}})};
+      return Rigid{
+          interpolated_chain({{aside[0], aside[1], from}, {}}, {{aside[0], aside[1], from - 1}, {0, 0, turn}})};
     };
     world.add(blade, down(0.1, {0, 0, 0}));
     world.add(blade, down(0.9, {2, 0, 0}));
@@ -159,7 +160,7 @@ TEST(FirstContacts, AreRefusedWhereAPairTouchesAtTheStart) {
   const Shape plate({3, {{0, 1, 2}}}, {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}), point({1, {}, {}, {0}}, {{1, 1, 0}});
   World world;
   world.add(plate, Static{});
-  world.add(point, Rigid{interpolated({}, {{0, 0, 1}, {}})});
+  world.add(point, Rigid{interpolated_chain({}, {{0, 0, 1}, {}})});
   EXPECT_EQ(world.first_contacts().at(0).toi_upper, 0);
   EXPECT_TRUE(world.first_contacts({.at_start = AtStart::ignore}).empty());
   EXPECT_THROW(world.first_contacts({.at_start = AtStart::fail}), InvalidStep);
@@ -221,7 +222,7 @@ TEST(FirstContacts, OfBallsCostAboutAsMuchAsTheEarliest) {
   for (int i = 0; i < 4; ++i) {
     world.add(ball, Static{{{0, 10.0 * i, 0}, {}}});
     const double aside = i == 3 ? 2.01 : 0.123;
-    world.add(ball, Rigid{interpolated({{3, 10 * i + aside, 0.2}, {}}, {{-3, 10 * i + aside, 0.2}, {}})});
+    world.add(ball, Rigid{interpolated_chain({{3, 10 * i + aside, 0.2}, {}}, {{-3, 10 * i + aside, 0.2}, {}})});
   }
   const std::size_t all = world.contacts().size();
   const std::uint64_t by_all = decided(world);

@@ -28,8 +28,8 @@ static tamis_motions motions(size_t count) {
   return none;
 }
 
-static tamis_link turning(double x, double height, double angle) {
-  const tamis_link link = {{{x, 0, height}, {0, 0, 0}}, {{x, 0, height}, {0, angle, 0}}};
+static tamis_rigid_link turning(double x, double height, double angle) {
+  const tamis_rigid_link link = {{{x, 0, height}, {0, 0, 0}}, {{x, 0, height}, {0, angle, 0}}};
   return link;
 }
 
@@ -38,7 +38,7 @@ static tamis_world* blade_over_plate(void) {
   tamis_shape *plate = shape_of(plate_points), *blade = shape_of(blade_points);
   tamis_world* world = NULL;
   tamis_motions motion = motions(1);
-  const tamis_link turn = turning(0, 1, quarter);
+  const tamis_rigid_link turn = turning(0, 1, quarter);
   int32_t bodies[2] = {-1, -1};
   EXPECT(tamis_world_create(NULL, &world) == TAMIS_OK);
   EXPECT(tamis_world_add(world, plate, &motion, &bodies[0]) == TAMIS_OK);
@@ -116,7 +116,7 @@ static void what_goes_straight_and_what_deforms(void) {
   tamis_world* world = blade_over_plate();
   tamis_shape* blade = shape_of(blade_points);
   tamis_motions motion = motions(1);
-  const tamis_link down = {{{0, 0, 1}, {0, quarter, 0}}, {{0, 0, 2.5}, {0, quarter, 0}}};
+  const tamis_rigid_link down = {{{0, 0, 1}, {0, quarter, 0}}, {{0, 0, 2.5}, {0, quarter, 0}}};
   const tamis_pose upright = {{0, 0, 1}, {0, quarter, 0}};
   const double soft_start[] = {0, 0, 3, 2, 0, 3, 1, 0.5, 3}, soft_end[] = {0, 0, -1, 2, 0, 3, 1, 0.5, 3};
   const int32_t moved = 1;
@@ -167,7 +167,7 @@ static void many_in_one_call(void) {
   tamis_world* world = blade_over_plate();
   tamis_shape *blade = shape_of(blade_points), *ground = NULL;
   tamis_motions motion = motions(kCount);
-  tamis_link* links = malloc(kCount * sizeof *links);
+  tamis_rigid_link* links = malloc(kCount * sizeof *links);
   int32_t* bodies = malloc(kCount * sizeof *bodies);
   tamis_contact contact;
   const double wide_points[] = {-1e4, -1e4, 0, 1e5, -1e4, 0, 0, 1e5, 0};
@@ -210,7 +210,7 @@ static void what_is_refused_changes_nothing(void) {
   tamis_shape* blade = shape_of(blade_points);
   tamis_motions motion = motions(2);
   const tamis_pose poses[] = {{{0, 0, 50}, {0, 0, 0}}, {{0, 0, NAN}, {0, 0, 0}}};
-  const tamis_link link = turning(0, 1, 0), far = turning(0, 1, 5000);
+  const tamis_rigid_link link = turning(0, 1, 0), far = turning(0, 1, 5000);
   const int32_t there[] = {1, 0}, gone[] = {1, 7}, twice[] = {1, 1};
   const size_t all = contacts_of(world);
   int32_t added[2];
@@ -307,9 +307,9 @@ static void what_cannot_be_made(void) {
 /* Three motions of the blade: down through the plate, up from it, and a turn. The first and the last meet it. */
 static void many_motions(void) {
   tamis_world* world = blade_over_plate();
-  const tamis_link links[] = {{{{0, 0, 1}, {0, 0, 0}}, {{0, 0, -1}, {0, 0, 0}}},
-                              {{{0, 0, 1}, {0, 0, 0}}, {{0, 0, 3}, {0, 0, 0}}},
-                              turning(0, 1, quarter)};
+  const tamis_rigid_link links[] = {{{{0, 0, 1}, {0, 0, 0}}, {{0, 0, -1}, {0, 0, 0}}},
+                                    {{{0, 0, 1}, {0, 0, 0}}, {{0, 0, 3}, {0, 0, 0}}},
+                                    turning(0, 1, quarter)};
   tamis_motions motion = motions(3);
   tamis_earliest answers[3], shorter[3];
   const int32_t blade[] = {1, 0}, gone = 5;

@@ -48,7 +48,7 @@ class Questions {
     return step_tuple(asker_.answer([&] { return detector_.safe_step(step_of(start, end), keep, q); }));
   }
   nb::tuple truncate(const QueryOptions& q, double keep, const Rows& start, const Rows& end, bool as_float32) {
-    const Stored stored = as_float32 ? Stored::float32 : Stored::float64;
+    const StoredType stored = as_float32 ? StoredType::float32 : StoredType::float64;
     TruncatedStep step = asker_.answer([&] { return detector_.truncate(step_of(start, end), keep, q, stored); });
     return nb::make_tuple(own<double>(std::move(step.positions)), own<double>(std::move(step.fractions)), step.is_free);
   }

@@ -36,7 +36,7 @@ pub use answers::{Contact, Earliest, Intersection, NearPair};
 #[cfg(feature = "clamp")]
 pub use clamp::{ClampOptions, Clamped, End, Inertia, Velocity, WantedStep};
 pub use error::Error;
-pub use motion::{Link, Motion, Pose};
+pub use motion::{RigidLink, Motion, Pose};
 pub use shape::Shape;
 pub use world::{AtStart, BodyId, Query, World};
 

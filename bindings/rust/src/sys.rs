@@ -1,7 +1,7 @@
 //! The parts of `tamis/tamis.h` and `integrations/rapier/clamp/clamp.h` that the crate uses.
 #![allow(non_camel_case_types)]
 use crate::answers::{Contact, Intersection, NearPair};
-use crate::motion::{Link, Pose};
+use crate::motion::{RigidLink, Pose};
 use std::ffi::{c_char, c_int, c_void};
 use std::ptr::null;
 
@@ -66,7 +66,7 @@ pub struct tamis_motions {
     pub size: usize,
     pub count: usize,
     pub poses: *const Pose,
-    pub links: *const Link,
+    pub links: *const RigidLink,
     pub links_of_each: usize,
     pub start: *const f64,
     pub end: *const f64,
@@ -117,15 +117,15 @@ extern "C" {
     ) -> c_int;
     pub fn tamis_shape_free(shape: *mut tamis_shape);
     pub fn tamis_shape_message(shape: *const tamis_shape) -> *const c_char;
-    pub fn tamis_between(start: *const Pose, end: *const Pose, center: *const f64, links: *mut Link) -> c_int;
-    pub fn tamis_pose_at(links: *const Link, count: usize, time: f64, pose: *mut Pose) -> c_int;
+    pub fn tamis_chain_between(start: *const Pose, end: *const Pose, center: *const f64, links: *mut RigidLink) -> c_int;
+    pub fn tamis_pose_at(links: *const RigidLink, count: usize, time: f64, pose: *mut Pose) -> c_int;
     pub fn tamis_pose_of_quaternion(quaternion: *const f64, position: *const f64, pose: *mut Pose) -> c_int;
-    pub fn tamis_turned(
+    pub fn tamis_turned_chain(
         start: *const Pose,
         turn: *const f64,
         end_position: *const f64,
         center: *const f64,
-        links: *mut Link,
+        links: *mut RigidLink,
     ) -> c_int;
 
     pub fn tamis_world_create(options: *const tamis_world_options, world: *mut *mut tamis_world) -> c_int;

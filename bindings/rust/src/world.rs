@@ -1,6 +1,6 @@
 use crate::answers::{Contact, Earliest, Intersection, NearPair};
 use crate::error::{check, text, Error};
-use crate::motion::{Link, Motion};
+use crate::motion::{RigidLink, Motion};
 use crate::shape::Shape;
 use crate::sys;
 use std::ffi::c_int;
@@ -283,7 +283,7 @@ fn motions_of(motion: &Motion, vertices: usize) -> Result<sys::tamis_motions, Er
 }
 
 /// The links of all chains, one chain after the other, and how many links each chain has.
-fn chains_of(bodies: &[BodyId], motions: &[Vec<Motion>]) -> Result<(Vec<Link>, usize), Error> {
+fn chains_of(bodies: &[BodyId], motions: &[Vec<Motion>]) -> Result<(Vec<RigidLink>, usize), Error> {
     let refuse = |message| Err(Error { status: INVALID_STEP, message });
     if bodies.is_empty() && !motions.is_empty() {
         return Err(Error { status: INVALID_OPTIONS, message: "no body is named: name those that move".to_owned() });

@@ -19,25 +19,25 @@ typedef struct tamis_pose {
 } tamis_pose;
 
 /** A pose whose position and rotation vector go linearly from `start` (t=0) to `end` (t=1). Any angle. */
-typedef struct tamis_link {
+typedef struct tamis_rigid_link {
   tamis_pose start;
   tamis_pose end;
-} tamis_link;
+} tamis_rigid_link;
 
 /** Writes the two links of a body's motion: from `start` the body turns at constant speed about the fixed axis of
  * `turn`, by |turn| radians, while one point of it, `center` in its frame, goes straight to `end_position`: engines
  * take the center of mass. `center` NULL: the origin of the body's frame. This call and the next five have no handle
  * that keeps a message. */
-TAMIS_API tamis_status tamis_turned(const tamis_pose* start, const double* turn, const double* end_position,
-                                    const double* center, tamis_link* links);
+TAMIS_API tamis_status tamis_turned_chain(const tamis_pose* start, const double* turn, const double* end_position,
+                                          const double* center, tamis_rigid_link* links);
 /** The same from one pose to the other, by the shorter turn about a fixed axis, at constant speed (slerp). */
-TAMIS_API tamis_status tamis_between(const tamis_pose* start, const tamis_pose* end, const double* center,
-                                     tamis_link* links);
+TAMIS_API tamis_status tamis_chain_between(const tamis_pose* start, const tamis_pose* end, const double* center,
+                                           tamis_rigid_link* links);
 /** Writes the pose of a chain's body at a time in [0,1], for example after a step that is safe until then. */
-TAMIS_API tamis_status tamis_pose_at(const tamis_link* links, size_t count, double time, tamis_pose* pose);
-/** For engines that blend quaternions and normalize them (nlerp): they go the way of tamis_between at another speed. No
- * point is ever farther from its place by tamis_between than *part times its distance from the center. A motion that is
- * free by tamis_between, with this deviation as additional separation, is free by nlerp. */
+TAMIS_API tamis_status tamis_pose_at(const tamis_rigid_link* links, size_t count, double time, tamis_pose* pose);
+/** For engines that blend quaternions and normalize them (nlerp): they go the way of tamis_chain_between at another
+ * speed. No point is ever farther from its place by tamis_chain_between than *part times its distance from the center.
+ * A motion that is free by tamis_chain_between, with this deviation as additional separation, is free by nlerp. */
 TAMIS_API tamis_status tamis_nlerp_deviation(const tamis_pose* start, const tamis_pose* end, double* part);
 /** The pose of a quaternion (w x y z), or of a rotation matrix given by its rows (9 doubles), as engines keep them,
  * also in floats. Both are rotations with rounding errors: the nearest rotation is taken. TAMIS_INVALID_PATH if they
@@ -55,9 +55,9 @@ typedef struct tamis_rigid_path_input {
   /** How many links each body has; 0: the body stays where its points are given. A point of the body goes through the
    * last link first. */
   const size_t* links_of_body;
-  const tamis_link* links; /**< the links of all bodies, one body after the other */
-  const double* rest_end;  /**< vertex_count x 3: where each vertex, which goes straight in that frame, is at t=1; NULL:
-                              all stay */
+  const tamis_rigid_link* links; /**< the links of all bodies, one body after the other */
+  const double* rest_end; /**< vertex_count x 3: where each vertex, which goes straight in that frame, is at t=1; NULL:
+                             all stay */
 } tamis_rigid_path_input;
 
 /** Frames of points: the control points of Bezier curves, or the frames through which a Catmull-Rom spline goes. */

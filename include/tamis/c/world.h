@@ -53,10 +53,10 @@ TAMIS_API const char* tamis_world_message(const tamis_world* world);
  * body stays where its shape's points are. Arrays hold one body after the other. */
 typedef struct tamis_motions {
   size_t size;
-  size_t count;            /**< number of bodies */
-  const tamis_pose* poses; /**< one for each body, which stays there; or NULL */
-  const tamis_link* links; /**< each body moves by a chain of links, outermost first; or NULL */
-  size_t links_of_each;    /**< number of links of each body's chain; 0 with poses, or start and end */
+  size_t count;                  /**< number of bodies */
+  const tamis_pose* poses;       /**< one for each body, which stays there; or NULL */
+  const tamis_rigid_link* links; /**< each body moves by a chain of links, outermost first; or NULL */
+  size_t links_of_each;          /**< number of links of each body's chain; 0 with poses, or start and end */
   const double* start; /**< each body deforms: three coordinates a vertex, at t=0, in the frame of the world; or NULL */
   const double* end;   /**< the same at t=1; or NULL */
   int32_t vertex_count; /**< with start and end: the vertices of each body, as many as its shape has */

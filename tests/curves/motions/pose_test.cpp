@@ -15,7 +15,7 @@ using Rows = std::array<Point, 3>;
 
 /// Where the pose takes the axes, by the path's own arithmetic.
 Rows rows_of(const Pose& pose) {
-  const RigidPath path({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, {interpolated({{}, pose.rotation}, pose)});
+  const RigidPath path({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, {interpolated_chain({{}, pose.rotation}, pose)});
   const std::array<Index, 3> all{0, 1, 2};
   std::array<Point, 3> columns{};
   std::array<double, 3> errors{};
@@ -70,7 +70,7 @@ TEST(Pose, OfHalfTurnsIsKnown) {
 }
 
 /// Where the chain takes the axes at a time, by the path's own arithmetic.
-Rows axes_at(const Chain& chain, double time) {
+Rows axes_at(const RigidChain& chain, double time) {
   const RigidPath path({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, {chain});
   const std::array<Index, 3> all{0, 1, 2};
   Rows points{};
@@ -85,20 +85,21 @@ TEST(Pose, OnAChainIsWhereThePathHasTheBody) {
   const auto point = [&] { return Point{number(random), number(random), number(random)}; };
   for (int i = 0; i < 200; ++i) {
     const Pose start{point(), point()}, end{point(), point()};
-    for (const Chain& chain : {interpolated(start, end), between(start, end, point()), turned(start, point(), point()),
-                               Chain{{start, end}, {end, start}, {start, start}}, Chain{}})
+    for (const RigidChain& chain :
+         {interpolated_chain(start, end), chain_between(start, end, point()), turned_chain(start, point(), point()),
+          RigidChain{{start, end}, {end, start}, {start, start}}, RigidChain{}})
       for (const double time : {0.0, 0.3, 1.0}) {
         const Pose there = pose_at(chain, time);
-        expect_near(axes_at(interpolated(there, there), 0), axes_at(chain, time), 2e-14);
+        expect_near(axes_at(interpolated_chain(there, there), 0), axes_at(chain, time), 2e-14);
       }
-    EXPECT_EQ(pose_at(interpolated(start, end), 0).rotation, start.rotation);
-    EXPECT_EQ(pose_at(interpolated(start, end), 1).position, end.position);
+    EXPECT_EQ(pose_at(interpolated_chain(start, end), 0).rotation, start.rotation);
+    EXPECT_EQ(pose_at(interpolated_chain(start, end), 1).position, end.position);
   }
 }
 
 TEST(Pose, OnAChainOutsideOfTheStepIsRefused) {
   for (const double time : {-0.1, 1.1, std::nan("")}) EXPECT_THROW(pose_at({}, time), InvalidPath);
-  EXPECT_THROW(pose_at(interpolated({{std::nan(""), 0, 0}, {}}, {}), 0), InvalidPath);
+  EXPECT_THROW(pose_at(interpolated_chain({{std::nan(""), 0, 0}, {}}, {}), 0), InvalidPath);
   try {
     pose_at({}, 2);
     FAIL();

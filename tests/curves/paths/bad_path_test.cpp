@@ -121,21 +121,26 @@ TEST(BadPath, OptionsAndNumbersAreChecked) {
 
 TEST(BadPath, RigidBodiesAreChecked) {
   const std::vector<Point> rest{{0, 0, 0}, {1, 0, 0}};
-  expect_message<InvalidPath>([&] { RigidPath(rest, {0}, {Chain{}}); }, "2 rest positions and 1 numbers");
-  expect_message<InvalidPath>([&] { RigidPath(rest, {0, 1}, {Chain{}}); }, "vertex 1 belongs to body 1");
-  expect_message<InvalidPath>([&] { RigidPath(rest, {0, -1}, {Chain{}}); }, "vertex 1 belongs to body -1");
-  expect_message<InvalidPath>([&] { RigidPath({{0, kNan, 0}}, {0}, {Chain{}}); }, "vertex 0 of the path is not finite");
+  expect_message<InvalidPath>([&] { RigidPath(rest, {0}, {RigidChain{}}); }, "2 rest positions and 1 numbers");
+  expect_message<InvalidPath>([&] { RigidPath(rest, {0, 1}, {RigidChain{}}); }, "vertex 1 belongs to body 1");
+  expect_message<InvalidPath>([&] { RigidPath(rest, {0, -1}, {RigidChain{}}); }, "vertex 1 belongs to body -1");
   expect_message<InvalidPath>(
       [&] {
-        RigidPath(rest, {0, 0}, {Chain{}}, {{0, 0, 0}});
+        RigidPath({{0, kNan, 0}}, {0}, {RigidChain{}});
+      },
+      "vertex 0 of the path is not finite");
+  expect_message<InvalidPath>(
+      [&] {
+        RigidPath(rest, {0, 0}, {RigidChain{}}, {{0, 0, 0}});
       },
       "2 rest positions and 1 at the end");
   const Pose bad{{0, 0, 0}, {kInfinity, 0, 0}};
-  expect_message<InvalidPath>([&] { RigidPath(rest, {0, 0}, {interpolated({}, bad)}); }, "a pose of body 0");
+  expect_message<InvalidPath>([&] { RigidPath(rest, {0, 0}, {interpolated_chain({}, bad)}); }, "a pose of body 0");
   // Bug: wherever it is, of three numbers std::hypot makes 0 where the second is none beside zeros.
   for (const Point& none : {Point{kNan, 0, 0}, Point{0, kNan, 0}, Point{0, 0, kNan}}) {
     const Pose nowhere{{0, 0, 0}, none};
-    for (const Chain& chain : {between(nowhere, {}), between({}, nowhere), turned(nowhere, {0, 0, 1}, {0, 0, 0})})
+    for (const RigidChain& chain :
+         {chain_between(nowhere, {}), chain_between({}, nowhere), turned_chain(nowhere, {0, 0, 1}, {0, 0, 0})})
       expect_message<InvalidPath>([&] { RigidPath(rest, {0, 0}, {chain}); }, "a pose of body 0");
   }
 }

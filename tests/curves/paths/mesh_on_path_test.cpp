@@ -99,8 +99,9 @@ void expect_as_one_by_one(const Bodies& bodies, const Path& path, double separat
 
 /// One body beside the other, turning about a place between them.
 RigidPath passing(const Bodies& bodies, double distance, double angle) {
-  const Chain turning = turned({{0, 0, 0}, {0.1, 0.2, 0.3}}, {0, 0, angle}, {0, 0, 0});
-  const Chain passing = turned({{distance, 0, 0}, {0, 0.3, 0}}, {0.2, -angle, 0.1}, {distance - 0.1, 0.5, 0});
+  const RigidChain turning = turned_chain({{0, 0, 0}, {0.1, 0.2, 0.3}}, {0, 0, angle}, {0, 0, 0});
+  const RigidChain passing =
+      turned_chain({{distance, 0, 0}, {0, 0.3, 0}}, {0.2, -angle, 0.1}, {distance - 0.1, 0.5, 0});
   return {bodies.rest, bodies.body, {turning, passing}};
 }
 
@@ -196,7 +197,7 @@ TEST(MeshOnPath, ABoltTurnsInItsThreadAndJamsWithoutThePitch) {
   bodies.add(helix(0.8, 1.05, 0, 2));
   bodies.add(helix(0.95, 1.2, kPi, 4));  // half a pitch away
   const auto screwed = [&](double turns, double way) {
-    return RigidPath(bodies.rest, bodies.body, {turned({}, {0, 0, 2 * kPi * turns}, {0, 0, way}), Chain{}});
+    return RigidPath(bodies.rest, bodies.body, {turned_chain({}, {0, 0, 2 * kPi * turns}, {0, 0, way}), RigidChain{}});
   };
   Detector detector = lab::make_detector(bodies.mesh(), bodies.options());
   EXPECT_TRUE(detector.is_free(screwed(1.5, 1.5)));
@@ -214,13 +215,13 @@ TEST(MeshOnPath, AnArmOfTwoLinksReachesWhereItShould) {
   bodies.add(scenes::unit_sphere(1), {0.1, 0.1, 0.1});
   bodies.add(scenes::unit_sphere(2), {0.3, 0.3, 0.3});
   // Shoulder turns by 90 degrees, elbow straightens: the hand goes from (0, 0, 0) to (0, 2, 0).
-  const Chain shoulder = turned({}, {0, 0, kPi / 2}, {0, 0, 0}),
-              elbow = turned({{1, 0, 0}, {0, 0, kPi}}, {0, 0, -kPi}, {1, 0, 0});
-  Chain arm = shoulder;
+  const RigidChain shoulder = turned_chain({}, {0, 0, kPi / 2}, {0, 0, 0}),
+                   elbow = turned_chain({{1, 0, 0}, {0, 0, kPi}}, {0, 0, -kPi}, {1, 0, 0});
+  RigidChain arm = shoulder;
   arm.insert(arm.end(), elbow.begin(), elbow.end());
   arm.push_back({{{1, 0, 0}, {0, 0, 0}}, {{1, 0, 0}, {0, 0, 0}}});
   const auto with_ball_at = [&](const Point& place) {
-    return RigidPath(bodies.rest, bodies.body, {arm, Chain{{{place, {0, 0, 0}}, {place, {0, 0, 0}}}}});
+    return RigidPath(bodies.rest, bodies.body, {arm, RigidChain{{{place, {0, 0, 0}}, {place, {0, 0, 0}}}}});
   };
   Detector detector = lab::make_detector(bodies.mesh(), bodies.options());
   const EarliestContact hit = detector.earliest(with_ball_at({0, 2.2, 0}));
@@ -283,8 +284,9 @@ TEST(MeshOnPath, PiecesAreFewWhereNothingIsNear) {
   options.filter = bodies.options().filter;
   Detector detector(bodies.mesh(), options);
   const auto times_asked = [&](double gap) {
-    const RigidPath path(bodies.rest, bodies.body,
-                         {turned({}, {0, 0, 0.5}, {}), interpolated({{2 + gap, 0, 0}, {}}, {{2 + gap, 0, 0}, {}})});
+    const RigidPath path(
+        bodies.rest, bodies.body,
+        {turned_chain({}, {0, 0, 0.5}, {}), interpolated_chain({{2 + gap, 0, 0}, {}}, {{2 + gap, 0, 0}, {}})});
     const CountedPath counted(path);
     EXPECT_FALSE(detector.earliest(counted).contact);
     return counted.asked;
@@ -299,9 +301,9 @@ TEST(MeshOnPath, BadPathsAreNamed) {
   Bodies bodies;
   bodies.add(scenes::unit_sphere(1));
   Detector detector = lab::make_detector(bodies.mesh(), bodies.options());
-  const RigidPath fewer({{0, 0, 0}}, {0}, {Chain{}});
+  const RigidPath fewer({{0, 0, 0}}, {0}, {RigidChain{}});
   EXPECT_THROW(detector.contacts(fewer), InvalidPath);
-  const RigidPath still(bodies.rest, bodies.body, {Chain{}});
+  const RigidPath still(bodies.rest, bodies.body, {RigidChain{}});
   EXPECT_TRUE(detector.is_free(still));
   for (const double tolerance : {0.0, -1.0, 1.5, std::nan("")})
     EXPECT_THROW(detector.earliest(still, {.tolerance = tolerance}), InvalidOptions);

@@ -213,7 +213,7 @@ class Questions:
         """Find every pair of features that are near each other at t=0.
 
         Two bodies that both stay at a pose are left out, even where they pass through each other. To ask about them,
-        move one of them by ``interpolated(pose, pose)``.
+        move one of them by ``interpolated_chain(pose, pose)``.
 
         Parameters
         ----------

@@ -78,7 +78,7 @@ void add_answer(bool is_free, Outcome& outcome) {
 
 void add_answer(const SafeStep& step, Outcome& outcome) {
   outcome.contacts += step.pair ? 1 : 0;
-  add_bracket(step.lower, step.upper, outcome);
+  add_bracket(step.toi_lower, step.toi_upper, outcome);
 }
 
 /// Adds a near pair, or an intersection.

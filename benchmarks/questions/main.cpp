@@ -82,7 +82,7 @@ struct Bench {
       whole += std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
     }
     std::printf("\nOf the way to the end, summed over the vertices: together %.4f, each its own %.4f.\n",
-                together.lower, went / whole);
+                together.toi_lower, went / whole);
   }
 };
 

@@ -55,16 +55,16 @@ struct Detector::State {
     const auto ask = [&](LocalSearch& search) {
       const SafeStep safe = search.safe_step(keep, searches.asked());
       keep_first(first, safe);
-      upper = std::min(upper, safe.upper);
+      upper = std::min(upper, safe.toi_upper);
     };
     // The factor covers the rounding of a pair's own time (docs/numerics/steps.md, "Step lengths").
     searches.search_in_turn(ask, true, [&] {
-      const double until = soon_after(searches.communicator().least(first.lower)) * (1 + 0x1p-14);
+      const double until = soon_after(searches.communicator().least(first.toi_lower)) * (1 + 0x1p-14);
       return NearWithin{until / (1 - keep)};
     });
     const Stopwatch watch(searches.statistics().seconds.deliver);
     SafeStep answer = first_of_all(searches.communicator(), first);
-    if (keep == 0) answer.upper = searches.communicator().least(upper);
+    if (keep == 0) answer.toi_upper = searches.communicator().least(upper);
     return answer;
   }
 

@@ -24,8 +24,8 @@ void expect_same(const EarliestContact& one, const EarliestContact& many, const 
 }
 
 void expect_same(const SafeStep& one, const SafeStep& many, const std::string& what) {
-  EXPECT_EQ(one.lower, many.lower) << what;
-  EXPECT_EQ(one.upper, many.upper) << what;
+  EXPECT_EQ(one.toi_lower, many.toi_lower) << what;
+  EXPECT_EQ(one.toi_upper, many.toi_upper) << what;
   ASSERT_EQ(one.pair.has_value(), many.pair.has_value()) << what;
   if (!one.pair) return;
   EXPECT_EQ(one.pair->kind, many.pair->kind) << what;

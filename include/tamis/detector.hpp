@@ -62,14 +62,14 @@ class Detector {
   bool is_free(const Path& path, const QueryOptions& = {});
   /// How far may the step go so that every pair keeps at least the fraction `keep` of its distance at t=0? The distance
   /// that counts is what exceeds the minimum separation and both radii. This is the step length for the line search of
-  /// a barrier method. With 0 only contacts count, and `lower` is earliest()'s toi_lower. Larger values take longer
+  /// a barrier method. With 0 only contacts count, and `toi_lower` is earliest()'s toi_lower. Larger values take longer
   /// where motion is fast. Take 0.1 for a barrier's line search, whose next steps need space; 0.01 or less if a step
   /// should come near what it meets, as towards a first contact; 0.5 or more if distances may only shrink slowly. A
   /// pair that is ignored at the start (AtStart) has no distance to keep: it ends the step where it touches again.
   ///
-  /// The proof is about the straight motion. Positions at a time up to `lower` are rounded to doubles, and pairs that
-  /// are a few units in the last place apart there may touch: ask `is_free` of the step to the rounded positions, or
-  /// `truncate`, whose positions are proven as they are stored. Throws InvalidOptions unless 0 <= keep < 1.
+  /// The proof is about the straight motion. Positions at a time up to `toi_lower` are rounded to doubles, and pairs
+  /// that are a few units in the last place apart there may touch: ask `is_free` of the step to the rounded positions,
+  /// or `truncate`, whose positions are proven as they are stored. Throws InvalidOptions unless 0 <= keep < 1.
   SafeStep safe_step(const Step& step, double keep = 0.1, const QueryOptions& = {});
 
   /// Every pair of features whose distance is at most `distance` plus both radii (Options::radii), each once, sorted by

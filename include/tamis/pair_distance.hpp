@@ -14,8 +14,8 @@ NearPair distance_of(const FeaturePair& pair, const Positions& positions);
 
 /// How far may one pair go so that it keeps at least the fraction `keep` of its distance at t=0? The distance that
 /// counts is what exceeds the minimum separation. As Detector::safe_step, for one pair. It searches up to
-/// options.latest; a pair that keeps its fraction until then has `lower` = options.latest. Throws InvalidOptions unless
-/// 0 <= keep < 1, InvalidStep as narrow_phase does.
+/// options.latest; a pair that keeps its fraction until then has `toi_lower` = options.latest. Throws InvalidOptions
+/// unless 0 <= keep < 1, InvalidStep as narrow_phase does.
 SafeStep safe_step(const FeaturePair& pair, const Step& step, double keep = 0.1, const PairOptions& options = {});
 
 }  // namespace tamis

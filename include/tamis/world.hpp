@@ -88,8 +88,8 @@ struct BodyPoints {
   double error = 0;           ///< no coordinate of a vertex in Mesh::points() is off by more than this
 };
 struct BodyStep {
-  double lower = 1;  ///< as in SafeStep
-  double upper = 1;
+  double toi_lower = 1;  ///< as in SafeStep
+  double toi_upper = 1;
   std::optional<BodyNearPair> pair;
 };
 

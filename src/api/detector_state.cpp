@@ -138,7 +138,7 @@ SafeStep Detector::State::safe_step(const Step& step, double keep, const QueryOp
 SafeStep Detector::State::step_length(const Query& query, double keep, AtStart at_start) {
   SafeStep answer;
   measure([&] { answer = engine_->find_step_length(query, keep, statistics); });
-  if (at_start != AtStart::fail || answer.lower > 0) return answer;
+  if (at_start != AtStart::fail || answer.toi_lower > 0) return answer;
   const Statistics of_answer = statistics;  // lower is 0, too, if a distance shrinks at once
   Query at_rest = query;
   at_rest.step.end = query.step.start;
@@ -161,7 +161,7 @@ TruncatedStep Detector::State::truncate(const Step& step, double keep, const Que
 
 TruncatedStep Detector::State::truncate(const Query& whole, double keep, AtStart at_start, StoredType stored) {
   const KeptFractions fractions(keep);
-  const double common_time = step_length(whole, fractions.together, at_start).lower;
+  const double common_time = step_length(whole, fractions.together, at_start).toi_lower;
   TruncatedStep answer;
   measure_more([&] { answer = Truncation(mesh, whole, fractions, stored, *engine_, statistics).run(common_time); });
   return answer;

@@ -155,11 +155,11 @@ BodyStep World::safe_step(double fraction, const QueryOptions& asked) {
   BodyStep first;
   now->for_each_moving(asked, fraction / (1 - fraction), [&](auto& state, auto& motion, auto& how, auto& whose) {
     const SafeStep step = state->safe_step(motion, fraction, how);
-    first.upper = std::min(first.upper, step.upper);
-    keep_earlier(first.pair, first.lower, step.pair, step.lower, whose);
+    first.toi_upper = std::min(first.toi_upper, step.toi_upper);
+    keep_earlier(first.pair, first.toi_lower, step.pair, step.toi_lower, whose);
     return true;
   });
-  if (first.pair) State::check_start(*first.pair, first.lower, asked);
+  if (first.pair) State::check_start(*first.pair, first.toi_lower, asked);
   return first;
 }
 

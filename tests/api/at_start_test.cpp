@@ -136,12 +136,12 @@ TEST_P(AtStartIn, StepLengthsAreThoseOfEveryPair) {
         lab::make_detector(few.mesh(), with(Method::brute, separation)).safe_step(few.step(), fraction, kIgnore);
     const SafeStep found =
         lab::make_detector(few.mesh(), with(Method::tamis, separation)).safe_step(few.step(), fraction, kIgnore);
-    EXPECT_EQ(found.lower, truth.lower);
-    EXPECT_EQ(found.upper, truth.upper);
+    EXPECT_EQ(found.toi_lower, truth.toi_lower);
+    EXPECT_EQ(found.toi_upper, truth.toi_upper);
     EXPECT_EQ(found.pair.has_value(), truth.pair.has_value());
     const EarliestContact first =
         lab::make_detector(few.mesh(), with(Method::tamis, separation)).earliest(few.step(), kIgnore);
-    EXPECT_LE(found.lower, first.toi_upper);
+    EXPECT_LE(found.toi_lower, first.toi_upper);
   }
 }
 
@@ -232,8 +232,8 @@ TEST(AtStart, AClothThatStartsOnABallLeavesItAndLandsOnIt) {
   for (int step = 0; step < 40; ++step) {
     const std::vector<Point> end = sheet.wanted(kStep);
     if (step == 0) {
-      EXPECT_EQ(detector.safe_step({sheet.x, end}, 0.1).lower, 0);
-      EXPECT_EQ(detector.safe_step({sheet.x, end}, 0.1, kIgnore).lower, 1);
+      EXPECT_EQ(detector.safe_step({sheet.x, end}, 0.1).toi_lower, 0);
+      EXPECT_EQ(detector.safe_step({sheet.x, end}, 0.1, kIgnore).toi_lower, 1);
     }
     const TruncatedStep to = detector.truncate({sheet.x, end}, 0.1, kIgnore);
     EXPECT_TRUE(detector.is_free({sheet.x, to.positions}, kIgnore));

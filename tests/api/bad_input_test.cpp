@@ -254,8 +254,8 @@ TEST(AStepThatGoesFarAsAWhole, HasTheContactsOfAllPairsAndLooksAtFew) {
       const StageCount boxes = detector.statistics().stages.front();
       EXPECT_EQ(detector.earliest({scene.start, end}, asked).toi_lower,
                 all.earliest({scene.start, end}, asked).toi_lower);
-      EXPECT_EQ(detector.safe_step({scene.start, end}, 0.1, asked).lower,
-                all.safe_step({scene.start, end}, 0.1, asked).lower);
+      EXPECT_EQ(detector.safe_step({scene.start, end}, 0.1, asked).toi_lower,
+                all.safe_step({scene.start, end}, 0.1, asked).toi_lower);
       Detector near(scene.mesh());
       near.contacts(scene.step(), asked);
       EXPECT_LT(boxes.ee, 2 * near.statistics().stages.front().ee + 100) << far;

@@ -131,7 +131,7 @@ TEST(CallerState, PairsAreDecidedAlike) {
           append(numbers, distance_of(pair, ee.start));
           for (const double keep : {0.0, 0.3}) {
             const SafeStep safe = safe_step(pair, {ee.start, ee.end}, keep);
-            numbers.insert(numbers.end(), {safe.lower, safe.upper});
+            numbers.insert(numbers.end(), {safe.toi_lower, safe.toi_upper});
           }
           return numbers;
         });

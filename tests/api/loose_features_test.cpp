@@ -112,7 +112,7 @@ TEST(LooseFeatures, EndTheStepAsContactsDo) {
     const SafeStep safe = detector.safe_step(scene.step(), 0.5);
     ASSERT_TRUE(safe.pair.has_value());
     EXPECT_EQ(safe.pair->vertices, (std::array<Index, 4>{2, 0, 1, -1}));
-    EXPECT_NEAR(safe.lower, 0.25, 1e-9);
+    EXPECT_NEAR(safe.toi_lower, 0.25, 1e-9);
   }
 }
 

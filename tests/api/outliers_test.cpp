@@ -50,8 +50,8 @@ TEST_P(FarFromOthers, HaveTheContactsOfAllPairs) {
     EXPECT_EQ(detector.earliest(scene.step(), asked).toi_lower, all.earliest(scene.step(), asked).toi_lower);
     const SafeStep safe = detector.safe_step(scene.step(), 0.1, asked),
                    expected_safe = all.safe_step(scene.step(), 0.1, asked);
-    EXPECT_EQ(safe.lower, expected_safe.lower);
-    EXPECT_EQ(safe.upper, expected_safe.upper);
+    EXPECT_EQ(safe.toi_lower, expected_safe.toi_lower);
+    EXPECT_EQ(safe.toi_upper, expected_safe.toi_upper);
   }
 }
 
@@ -69,7 +69,7 @@ TEST_P(FarFromOthers, ReachTheOthersByTheirRadii) {
   const PairSet expected = names_of(all.contacts(scene.step(), asked));
   EXPECT_FALSE(expected.empty());
   EXPECT_EQ(names_of(detector.contacts(scene.step(), asked)), expected);
-  EXPECT_EQ(detector.safe_step(scene.step(), 0.1, asked).lower, all.safe_step(scene.step(), 0.1, asked).lower);
+  EXPECT_EQ(detector.safe_step(scene.step(), 0.1, asked).toi_lower, all.safe_step(scene.step(), 0.1, asked).toi_lower);
 }
 
 // Bug: the frame of the boxes holds the outliers: its floats make one point of the others, and all pairs are decided.

@@ -88,7 +88,7 @@ TEST(CurvesInThePlane, HaveDistancesAndStepLengths) {
   EXPECT_EQ(near[0].u, 0.25);
   EXPECT_EQ(weights_of(near[0].kind, near[0].u, near[0].v), (std::array<double, 4>{0.75, 0.25, -1, 0}));
   EXPECT_EQ(near[0].direction, (Point{0, -1, 0}));
-  EXPECT_NEAR(detector.safe_step(scene.step(), 0.5).lower, 0.375, 1e-9);
+  EXPECT_NEAR(detector.safe_step(scene.step(), 0.5).toi_lower, 0.375, 1e-9);
   EXPECT_NEAR(detector.earliest(scene.step(), {.min_separation = 1.0}).toi_lower, 0.5, 1e-9);
 }
 

@@ -83,7 +83,7 @@ TEST_P(Thickness, StepLengthsOfAllMethodsAreTheSameBits) {
     };
     const SafeStep truth = keep(Method::brute);
     for (const Method method : {Method::tamis, Method::paper}) {
-      EXPECT_EQ(keep(method).lower, truth.lower) << scene.name << " by " << name_of(method);
+      EXPECT_EQ(keep(method).toi_lower, truth.toi_lower) << scene.name << " by " << name_of(method);
       EXPECT_EQ(keep(method).pair.has_value(), truth.pair.has_value());
     }
   }
@@ -111,8 +111,8 @@ TEST_P(Thickness, AQuestionsOwnSeparationAnswersAsADetectorsDoes) {
       EXPECT_EQ(one.is_free(scene.step(), {.min_separation = separation}), expected.empty());
       EXPECT_EQ(one.earliest(scene.step(), {.min_separation = separation}).toi_lower,
                 own.earliest(scene.step()).toi_lower);
-      EXPECT_EQ(one.safe_step(scene.step(), 0.5, {.min_separation = separation}).lower,
-                own.safe_step(scene.step(), 0.5).lower);
+      EXPECT_EQ(one.safe_step(scene.step(), 0.5, {.min_separation = separation}).toi_lower,
+                own.safe_step(scene.step(), 0.5).toi_lower);
     }
   }
 }

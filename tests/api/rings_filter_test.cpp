@@ -98,8 +98,8 @@ TEST_P(RingsOf, StepLengthsAreThoseOfEveryPair) {
     options.threads = 2;
     Detector detector = lab::make_detector(scene.mesh(), options);
     const SafeStep found = detector.safe_step(scene.step(), 0.2);
-    EXPECT_EQ(found.lower, truth.lower);
-    EXPECT_EQ(found.upper, truth.upper);
+    EXPECT_EQ(found.toi_lower, truth.toi_lower);
+    EXPECT_EQ(found.toi_upper, truth.toi_upper);
     const TruncatedStep to = detector.truncate(scene.step(), 0.2);
     EXPECT_EQ(to.is_free, detector.is_free({scene.start, scene.start}));
   }

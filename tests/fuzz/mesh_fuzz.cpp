@@ -102,7 +102,7 @@ void check(const MovingMesh& m, double separation) {
 bool are_same(const SafeStep& a, const SafeStep& b) {
   const bool same_pair = a.pair.has_value() == b.pair.has_value() &&
                          (!a.pair || (a.pair->kind == b.pair->kind && a.pair->vertices == b.pair->vertices));
-  return a.lower == b.lower && a.upper == b.upper && same_pair;
+  return a.toi_lower == b.toi_lower && a.toi_upper == b.toi_upper && same_pair;
 }
 
 void check_step_lengths(const MovingMesh& m, double fraction, double separation) {
@@ -112,8 +112,9 @@ void check_step_lengths(const MovingMesh& m, double fraction, double separation)
   const SafeStep found = detector.safe_step(m.step(), fraction);
   const auto describe = [&] { return text_of(m) + "fraction " + std::to_string(fraction); };
   require(are_same(found, truth), "step lengths differ", describe);
-  require(0 <= found.lower && found.lower <= found.upper && found.upper <= 1, "no bracket of a step", describe);
-  require(found.lower <= detector.earliest(m.step()).toi_upper, "a step length beyond the first contact", describe);
+  require(0 <= found.toi_lower && found.toi_lower <= found.toi_upper && found.toi_upper <= 1, "no bracket of a step",
+          describe);
+  require(found.toi_lower <= detector.earliest(m.step()).toi_upper, "a step length beyond the first contact", describe);
   detector.safe_step({m.points.end, m.points.start}, fraction);
   require(are_same(detector.safe_step(m.step(), fraction), truth), "an earlier question changes a step length",
           describe);

@@ -46,7 +46,7 @@ Numbers numbers_of(const std::vector<NearPair>& pairs) {
 }
 
 Numbers numbers_of(const SafeStep& safe) {
-  Numbers numbers{safe.lower, safe.upper};
+  Numbers numbers{safe.toi_lower, safe.toi_upper};
   if (safe.pair) append_all(numbers, numbers_of(std::vector{*safe.pair}));
   return numbers;
 }

@@ -25,7 +25,7 @@ TEST(World, HasNoContactsWithoutBodies) {
   EXPECT_TRUE(world.pairs_within(1).empty());
   EXPECT_TRUE(world.intersections().empty());
   EXPECT_FALSE(world.has_intersection());
-  EXPECT_EQ(world.safe_step().lower, 1);
+  EXPECT_EQ(world.safe_step().toi_lower, 1);
 }
 
 TEST(World, KnowsWhenACubeMeetsTheFloor) {
@@ -207,8 +207,8 @@ TEST(World, IgnoresWhatTouchesAtTheStart) {
     world.add(floor(), Static{{{0, 0, 2.25}, {}}});
     const double met = (0.25 - 1.5 * gap) / (0.5 - 0.5 * gap);
     EXPECT_NEAR(world.earliest(ignore).toi_lower, met, 1e-3);
-    EXPECT_NEAR(world.safe_step(0.1, ignore).lower, 0.9 * met, 1e-3);
-    EXPECT_EQ(world.safe_step(0.1, {.min_separation = gap}).lower, 0);
+    EXPECT_NEAR(world.safe_step(0.1, ignore).toi_lower, 0.9 * met, 1e-3);
+    EXPECT_EQ(world.safe_step(0.1, {.min_separation = gap}).toi_lower, 0);
     world.remove(moving);
     EXPECT_TRUE(world.is_free());
   }

@@ -190,8 +190,8 @@ TEST(World, SafeStepsSearchAsFarAsPairsHaveMoved) {
         }
       return least;
     };
-    for (int i = 0; i < 8; ++i) EXPECT_GE(least_kept(step.lower * i / 8), keep) << keep;
-    EXPECT_NEAR(least_kept(step.lower), keep, 1e-5) << keep;
+    for (int i = 0; i < 8; ++i) EXPECT_GE(least_kept(step.toi_lower * i / 8), keep) << keep;
+    EXPECT_NEAR(least_kept(step.toi_lower), keep, 1e-5) << keep;
   }
 }
 

@@ -72,7 +72,7 @@ TEST(World, AgreesWhereASheetSlidesOverTheGround) {
       contacts += expect_same_contacts(world, {.min_separation = step % 7 == 6 ? 0.05 * SlidingSheet::kEdge : 0});
       if (step % 5) continue;
       OneMesh mesh(world);
-      EXPECT_EQ(world.world.safe_step(0.2).lower, mesh.detector.safe_step(mesh.step(), 0.2).lower);
+      EXPECT_EQ(world.world.safe_step(0.2).toi_lower, mesh.detector.safe_step(mesh.step(), 0.2).toi_lower);
     }
   }
   EXPECT_GT(contacts, 5000u);
@@ -196,8 +196,8 @@ TEST(World, SafeStepsAreThoseOfANewOneWhoeverWasNearBefore) {
   kept.move(2, flies(1e12));
   fresh.add(tetrahedron, flies(1e12));
   const BodyStep expected = fresh.safe_step(0.1), step = kept.safe_step(0.1);
-  EXPECT_EQ(step.lower, expected.lower);
-  EXPECT_EQ(step.upper, expected.upper);
+  EXPECT_EQ(step.toi_lower, expected.toi_lower);
+  EXPECT_EQ(step.toi_upper, expected.toi_upper);
 }
 
 /// Bug: what had been gathered was asked again, by the rules of then, as long as the bodies that may touch now went as

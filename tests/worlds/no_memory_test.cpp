@@ -219,7 +219,7 @@ TEST(NoMemory, ADetectorAnswersAsBefore) {
     for (const Point& p : truncated.positions) numbers.insert(numbers.end(), p.begin(), p.end());
     for (const NearPair& p : detector.pairs_within(start, 0.5)) numbers.push_back(p.distance);
     const SafeStep safe = detector.safe_step(step);
-    numbers.insert(numbers.end(), {safe.lower, safe.upper, double(detector.intersections(end).size())});
+    numbers.insert(numbers.end(), {safe.toi_lower, safe.toi_upper, double(detector.intersections(end).size())});
     return numbers;
   };
   Detector untouched(mesh, alone());

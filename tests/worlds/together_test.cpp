@@ -56,7 +56,7 @@ TEST(Together, TheGapAtTheStartDecides) {
   EXPECT_TRUE(world.world.contacts().empty());
   EXPECT_LE(world.world.statistics().decided_by.scalar, pairs_of_features(a, b));
   for (const double keep : {0.1, 0.5, 0.999999}) {
-    EXPECT_EQ(world.world.safe_step(keep).lower, 1) << keep;
+    EXPECT_EQ(world.world.safe_step(keep).toi_lower, 1) << keep;
     EXPECT_LE(world.world.statistics().decided_by.scalar, pairs_of_features(a, b)) << keep;
   }
   EXPECT_TRUE(world.world.is_free({.min_separation = 0.999e-6}));
@@ -87,7 +87,7 @@ TEST(Together, OfALastJointItsOwnMotionCounts) {
   // Half of the gap is gone where far corners have come near: the same as without the arm.
   const RigidChain alone{slides.back()};
   TestWorld without_arm = pair_of(sheet(5, 0), {{}}, sheet(5, 1e-6), alone);
-  EXPECT_NEAR(world.world.safe_step(0.5).lower, without_arm.world.safe_step(0.5).lower, 1e-9);
+  EXPECT_NEAR(world.world.safe_step(0.5).toi_lower, without_arm.world.safe_step(0.5).toi_lower, 1e-9);
 }
 
 TEST(Together, WhatTouchesAtTheStartTouchesThenAndNeverAgain) {
@@ -101,8 +101,8 @@ TEST(Together, WhatTouchesAtTheStartTouchesThenAndNeverAgain) {
   EXPECT_TRUE(world.world.is_free({.at_start = AtStart::ignore}));
   EXPECT_EQ(expect_same_contacts(world, {.at_start = AtStart::ignore}), 0u);
   EXPECT_THROW(static_cast<void>(world.world.contacts({.at_start = AtStart::fail})), InvalidStep);
-  EXPECT_EQ(world.world.safe_step(0.5).lower, 0);
-  EXPECT_EQ(world.world.safe_step(0.5, {.at_start = AtStart::ignore}).lower, 1);
+  EXPECT_EQ(world.world.safe_step(0.5).toi_lower, 0);
+  EXPECT_EQ(world.world.safe_step(0.5, {.at_start = AtStart::ignore}).toi_lower, 1);
 }
 
 /// As for straight ways: what passes through each other and does not move touches nowhere.

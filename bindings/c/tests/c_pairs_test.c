@@ -142,10 +142,10 @@ static void kept_distance(void) {
   EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 0.2, &safe) == TAMIS_OK);
   EXPECT(safe.has_pair == 1 && safe.pair.kind == TAMIS_VERTEX_FACE && safe.pair.vertices[3] == 3 &&
          safe.pair.distance == 1);
-  EXPECT(safe.lower <= 0.2 && safe.lower > 0.19 && safe.upper >= 0.2);
+  EXPECT(safe.toi_lower <= 0.2 && safe.toi_lower > 0.19 && safe.toi_upper >= 0.2);
   step.min_separation = &half;
   EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 0, &safe) == TAMIS_OK);
-  EXPECT(safe.lower <= 0.125 && safe.lower > 0.124);
+  EXPECT(safe.toi_lower <= 0.125 && safe.toi_lower > 0.124);
   EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 1, &safe) == TAMIS_INVALID_OPTIONS);
   EXPECT(tamis_pair_safe_step(pairs, NULL, &step, 0, &safe) == TAMIS_INVALID_ARGUMENT);
   EXPECT(tamis_pair_safe_step(pairs, &pair, NULL, 0, &safe) == TAMIS_INVALID_ARGUMENT);
@@ -159,7 +159,7 @@ static void kept_distance(void) {
   step.min_separation = NULL;
   EXPECT(tamis_pairs_create(&options, &pairs) == TAMIS_OK);
   EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 0.2, &safe) == TAMIS_OK);
-  EXPECT(safe.lower == latest && safe.has_pair == 0);
+  EXPECT(safe.toi_lower == latest && safe.has_pair == 0);
   tamis_pairs_free(pairs);
 }
 

@@ -89,7 +89,7 @@ static void what_is_answered(void) {
   for (i = 0; i < 3; ++i) EXPECT(near[i].distance == 1 && near[i].bodies[0] == 1 && near[i].bodies[1] == 0);
   EXPECT(tamis_world_intersections(world, &count) == TAMIS_OK && count == 0);
   EXPECT(tamis_world_copy_intersections(world, 0, 0, NULL, sizeof crossing) == TAMIS_OK);
-  EXPECT(tamis_world_safe_step(world, 0.5, NULL, &safe) == TAMIS_OK && 0 < safe.lower && safe.lower < first);
+  EXPECT(tamis_world_safe_step(world, 0.5, NULL, &safe) == TAMIS_OK && 0 < safe.toi_lower && safe.toi_lower < first);
   EXPECT(tamis_world_set_radius(world, &contacts[0].bodies[0], 1, -1) == TAMIS_INVALID_OPTIONS);
   EXPECT(tamis_world_set_radius(world, &contacts[0].bodies[0], 1, 0.5) == TAMIS_OK);
   EXPECT(tamis_world_earliest(world, NULL, &lower, &upper, &count) == TAMIS_OK && lower < first - 0.1);
@@ -151,7 +151,7 @@ static void what_goes_straight_and_what_deforms(void) {
   EXPECT(lower <= 0.75 && 0.75 <= upper && upper - lower < 1e-6);
   EXPECT(tamis_world_copy_contacts(world, 0, 1, &contact, sizeof contact) == TAMIS_OK && contact.bodies[0] == soft);
   EXPECT(tamis_world_safe_step(world, 0.5, NULL, &safe) == TAMIS_OK);
-  EXPECT(fabs(safe.lower - 0.375) < 1e-6 && safe.pair.bodies[0] == soft && safe.pair.bodies[1] == 0 &&
+  EXPECT(fabs(safe.toi_lower - 0.375) < 1e-6 && safe.pair.bodies[0] == soft && safe.pair.bodies[1] == 0 &&
          safe.pair.distance == 3);
   motion.vertex_count = 2;
   EXPECT(tamis_world_move(world, &soft, &motion) == TAMIS_INVALID_STEP);

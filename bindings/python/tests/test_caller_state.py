@@ -58,7 +58,7 @@ def lengths_of(scene: tamis.Scene) -> list[bytes]:
     detector = tamis.Detector(scene.mesh)
     safe, first = detector.safe_step(scene.start, scene.end), detector.earliest(scene.start, scene.end)
     truncated = detector.truncate(scene.start, scene.end)
-    return [np.array([safe.lower, safe.upper, first.toi_lower]).tobytes(), truncated.positions.tobytes()]
+    return [np.array([safe.toi_lower, safe.toi_upper, first.toi_lower]).tobytes(), truncated.positions.tobytes()]
 
 
 def near_of(scene: tamis.Scene) -> list[bytes]:

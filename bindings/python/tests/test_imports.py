@@ -45,3 +45,11 @@ def test_an_old_name_is_refused_with_the_new_one(name: str) -> None:
     assert callable(getattr(tamis, str(refused.value).split("'")[-2]))
     with pytest.raises(AttributeError, match=r"'nothing'$"):
         _ = tamis.nothing  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("answer", [tamis.SafeStep(0.25, 0.5, None), tamis.BodyStep(0.25, 0.5, None)])
+def test_an_old_attribute_is_refused_with_the_new_one(answer: tamis.SafeStep) -> None:
+    with pytest.raises(AttributeError, match="no attribute 'lower': use 'toi_lower'"):
+        _ = answer.lower  # type: ignore[attr-defined]
+    with pytest.raises(AttributeError, match="no attribute 'upper': use 'toi_upper'"):
+        _ = answer.upper  # type: ignore[attr-defined]

@@ -67,7 +67,7 @@ def test_radii_and_steps_of_bodies_that_turn(cube: tamis.Shape) -> None:
     assert world.is_free()
     step = world.safe_step(0.6, tolerance=1e-6)
     assert step.pair is not None
-    assert 0.79 < step.lower < 0.81  # from the distance 2 down to 1.2
+    assert 0.79 < step.toi_lower < 0.81  # from the distance 2 down to 1.2
     world.set_radius([low, high], 0.75)
     assert abs(world.earliest().toi_lower - 0.5) < 1e-6
     for bad in (-1.0, float("nan")):

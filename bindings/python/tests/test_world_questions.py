@@ -152,7 +152,7 @@ def test_turning_bodies_and_their_paths(cube: tamis.Shape) -> None:
     assert 0 < ours.toi_lower < 0.5 and abs(ours.toi_lower - theirs.toi_lower) <= 2e-6
     assert ours.toi_upper - ours.toi_lower <= 1e-6
     step = world.safe_step()
-    assert step.pair is not None and 0 < step.lower < ours.toi_lower and step.upper - step.lower < 1e-6
+    assert step.pair is not None and 0 < step.toi_lower < ours.toi_lower and step.toi_upper - step.toi_lower < 1e-6
     world.move(still, at((5, 0, 0))[0])
     assert world.is_free() and world.safe_step().pair is None
 

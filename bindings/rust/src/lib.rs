@@ -16,7 +16,7 @@
 //! let flying = world.add(&blade, &Motion::between(&start, &end, [0.0; 3])?)?;
 //! let earliest = world.earliest(&Query::default())?;
 //! assert_eq!(earliest.contact.unwrap().bodies, [flying, 0]);
-//! assert!((earliest.lower - 0.708005).abs() < 1e-6);
+//! assert!((earliest.toi_lower - 0.708005).abs() < 1e-6);
 //! # Ok::<(), tamis::Error>(())
 //! ```
 //!

@@ -142,13 +142,13 @@ impl World {
 
     /// The first contact: how far all bodies may go.
     pub fn earliest(&mut self, query: &Query) -> Result<Earliest, Error> {
-        let (mut lower, mut upper, mut count) = (0.0, 0.0, 0);
+        let (mut toi_lower, mut toi_upper, mut count) = (0.0, 0.0, 0);
         // SAFETY: pointers to locals.
         let status =
-            unsafe { sys::tamis_world_earliest(self.handle, &options_of(query), &mut lower, &mut upper, &mut count) };
+            unsafe { sys::tamis_world_earliest(self.handle, &options_of(query), &mut toi_lower, &mut toi_upper, &mut count) };
         self.checked(status)?;
         let contact = self.copied(count, sys::tamis_world_copy_contacts)?.first().copied();
-        Ok(Earliest { lower, upper, contact })
+        Ok(Earliest { toi_lower, toi_upper, contact })
     }
 
     /// For planners: the first contact of each of many motions of some bodies, each named once, while all others move
@@ -184,8 +184,8 @@ impl World {
         };
         self.checked(status)?;
         let earliest_of = |answer: sys::tamis_earliest| Earliest {
-            lower: answer.toi_lower,
-            upper: answer.toi_upper,
+            toi_lower: answer.toi_lower,
+            toi_upper: answer.toi_upper,
             contact: (answer.has_contact != 0).then_some(answer.contact),
         };
         Ok(answers.into_iter().map(earliest_of).collect())

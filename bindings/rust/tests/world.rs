@@ -25,14 +25,14 @@ fn falling() -> (World, BodyId) {
 fn what_falls_touches_half_way() {
     let (mut world, body) = falling();
     let earliest = world.earliest(&Query::default()).unwrap();
-    assert!((earliest.lower - 0.5).abs() < 1e-9 && (earliest.upper - 0.5).abs() < 1e-9);
+    assert!((earliest.toi_lower - 0.5).abs() < 1e-9 && (earliest.toi_upper - 0.5).abs() < 1e-9);
     let contacts = world.contacts(&Query::default()).unwrap();
     assert!(contacts.contains(&earliest.contact.unwrap()));
     assert_eq!(world.first_contacts(&Query::default()).unwrap(), [earliest.contact.unwrap()]);
     assert!(contacts.iter().all(|c| c.bodies.contains(&body) && c.certainty == 0));
     assert!(!world.is_free(&Query::default()).unwrap());
     let near = Query { min_separation: Some(0.5), ..Query::default() };
-    assert!((world.earliest(&near).unwrap().lower - 0.25).abs() < 1e-9);
+    assert!((world.earliest(&near).unwrap().toi_lower - 0.25).abs() < 1e-9);
 }
 
 #[test]
@@ -50,7 +50,7 @@ fn a_radius_is_half_of_a_thickness() {
     let (mut world, body) = falling();
     world.set_radius(body, 0.3).unwrap();
     world.set_radius(0, 0.2).unwrap();
-    assert!((world.earliest(&Query::default()).unwrap().lower - 0.25).abs() < 1e-9);
+    assert!((world.earliest(&Query::default()).unwrap().toi_lower - 0.25).abs() < 1e-9);
     assert!(world.set_radius(body, -1.0).is_err());
 }
 
@@ -59,7 +59,7 @@ fn many_motions_are_answered_as_each_alone() {
     let (mut world, body) = falling();
     let motions: Vec<_> = [-1.0, 0.5, -3.0].map(|end| vec![Motion::interpolated(at(1.0), at(end))]).into();
     let many = world.earliest_many(&[body], &motions, &Query::default()).unwrap();
-    assert!(many[1].contact.is_none() && many[1].lower == 1.0);
+    assert!(many[1].contact.is_none() && many[1].toi_lower == 1.0);
     for (motion, earliest) in motions.iter().zip(&many) {
         world.move_body(body, &motion[0]).unwrap();
         assert_eq!(*earliest, world.earliest(&Query::default()).unwrap());
@@ -108,7 +108,7 @@ fn what_deforms_touches_and_is_near_and_passes_through() {
     assert!(world.has_intersection().unwrap());
     let near = world.pairs_within(0.11).unwrap();
     assert!(near.iter().any(|n| n.kind == 0 && n.bodies == [body, 0] && (n.distance - 0.1).abs() < 1e-12));
-    assert!((world.earliest(&Query::default()).unwrap().lower - 0.5).abs() < 1e-9);
+    assert!((world.earliest(&Query::default()).unwrap().toi_lower - 0.5).abs() < 1e-9);
     let short = Motion::Deforming { start, end: vec![] };
     let refusal = world.move_body(body, &short).unwrap_err();
     assert_eq!(refusal.status, INVALID_STEP);

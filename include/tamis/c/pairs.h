@@ -59,7 +59,7 @@ TAMIS_API tamis_status tamis_narrow_phase(tamis_pairs* pairs, const tamis_featur
 TAMIS_API tamis_status tamis_distances_of(tamis_pairs* pairs, const tamis_feature_pair* list, size_t count,
                                           const tamis_step* step, tamis_near_pair* answers, size_t answer_size);
 /** As tamis_detector_safe_step, for one pair; 0.1 is a usual fraction. It searches up to the latest time of interest; a
- * pair that keeps its fraction until then has `lower` = that time. */
+ * pair that keeps its fraction until then has `toi_lower` = that time. */
 TAMIS_API tamis_status tamis_pair_safe_step(tamis_pairs* pairs, const tamis_feature_pair* pair, const tamis_step* step,
                                             double keep, tamis_safe_step* answer);
 

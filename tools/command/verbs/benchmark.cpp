@@ -61,8 +61,8 @@ Ask ask_for(const std::string& question, double keep) {
     return [keep](Detector& detector, const Step& step, BenchmarkResult& result) {
       const SafeStep safe = detector.safe_step(step, keep);
       result.contacts = safe.pair ? 1 : 0;
-      result.toi_lower = safe.lower;
-      result.toi_upper = safe.upper;
+      result.toi_lower = safe.toi_lower;
+      result.toi_upper = safe.toi_upper;
     };
   throw InvalidOptions(
       fmt::format("there is no question '{}': choose one of {}", question, fmt::join(benchmark_questions(), ", ")));

@@ -196,8 +196,8 @@ class Questions:
         Returns
         -------
         BodyStep
-            On [0, lower] every pair keeps the fraction, proven. If one of two bodies turns, a pair that starts nearer
-            to its separation than doubles can tell ends the step at once.
+            On [0, toi_lower] every pair keeps the fraction, proven. If one of two bodies turns, a pair that starts
+            nearer to its separation than doubles can tell ends the step at once.
 
         Raises
         ------

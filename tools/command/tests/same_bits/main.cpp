@@ -52,8 +52,8 @@ std::string answers(const Mesh& mesh, const Step& step, Isa isa) {
   hash.add(first.toi_upper);
   if (first.contact) add(hash, *first.contact);
   const SafeStep safe = detector.safe_step(step, 0.2);
-  hash.add(safe.lower);
-  hash.add(safe.upper);
+  hash.add(safe.toi_lower);
+  hash.add(safe.toi_upper);
   char line[64];
   std::snprintf(line, sizeof line, "%zu contacts, hash %016llx", count, hash.value());
   return line;

@@ -218,7 +218,7 @@ class Clamp {
 
   /// All contacts of a pair are needed only where its first one is of parts that do not collide: it hides others.
   FirstContacts first_contacts() {
-    const QueryOptions asked{.at_start = AtStart::ignore, .tolerance = kTolerance};
+    const PathOptions asked{.at_start = AtStart::ignore, .tolerance = kTolerance};
     std::vector<BodyContact> contacts = world_.first_contacts(asked);
     std::erase_if(contacts, [&](const BodyContact& contact) { return !may_collide(pair_of(contact.bodies)); });
     const auto counts = [&](const BodyContact& contact) { return collides_at(contact); };

@@ -93,10 +93,10 @@ void step_lengths(const bench::Frames& frames, const Options& options, int repea
   for (const double fraction : {0.1, 0.2, 0.5}) {
     std::vector<double> times, ratios;
     for (int run = 0; run <= repeat; ++run) {
-      largest.earliest(back);
-      keeping.safe_step(back, fraction);
-      const double other = time_of([&] { largest.earliest(way); });
-      times.push_back(time_of([&] { keeping.safe_step(way, fraction); }));
+      (void)largest.earliest(back);
+      (void)keeping.safe_step(back, fraction);
+      const double other = time_of([&] { (void)largest.earliest(way); });
+      times.push_back(time_of([&] { (void)keeping.safe_step(way, fraction); }));
       ratios.push_back(times.back() / other);
     }
     char question[100];

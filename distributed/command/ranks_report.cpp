@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <span>
 
 namespace tamis::distributed {
 namespace {
@@ -52,7 +53,7 @@ void RanksReport::add_to(Json& json) const {
   json["balance"] = {{"pairs", balance_.pairs}, {"owned", balance_.owned}};
 }
 
-cli::Tally tally_of_all(Communicator& communicator, const std::vector<Contact>& contacts) {
+cli::Tally tally_of_all(Communicator& communicator, std::span<const Contact> contacts) {
   Packer packer;
   packer.put(cli::tally_of(contacts));
   cli::Tally all;

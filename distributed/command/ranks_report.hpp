@@ -23,7 +23,7 @@ class RanksReport {
 };
 
 /// Collective: the tally of the contacts of all ranks.
-cli::Tally tally_of_all(Communicator& communicator, const std::vector<Contact>& contacts);
+cli::Tally tally_of_all(Communicator& communicator, std::span<const Contact> contacts);
 void print_mesh(const StepParts& parts);
 /// Adds the minimum separation, and the size of the mesh.
 void add_facts(cli::Json& json, const StepParts& parts, const Options& options);

@@ -31,9 +31,9 @@ class Contacts final : public RanksVerb {
     together(communicator, [&] {
       if (communicator.rank() == 0) cli::require_output(out_, {start_, end_}, json_, "csv");
     });
-    const std::vector<Contact>* contacts = nullptr;
-    ask_all(communicator, [&](Detector& detector, const Step& step) { contacts = &detector.contacts(step, own()); });
-    const cli::Tally tally = tally_of_all(communicator, *contacts);
+    std::span<const Contact> contacts;
+    ask_all(communicator, [&](Detector& detector, const Step& step) { contacts = detector.contacts(step, own()); });
+    const cli::Tally tally = tally_of_all(communicator, contacts);
     if (!out_.empty()) write(communicator);
     report(
         communicator, [&](cli::Json& json) { cli::add_tally(json, tally); }, [&] { print(tally); });

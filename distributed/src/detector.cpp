@@ -5,8 +5,8 @@
 #include "distributed/src/first_of_all.hpp"
 #include "distributed/src/same_on_all.hpp"
 #include "distributed/src/searches.hpp"
+#include "numbers/busy_guard.hpp"
 #include "numbers/floating_point_state.hpp"
-#include "tamis/busy_guard.hpp"
 #include "tamis/distributed.hpp"
 #include "tamis/error.hpp"
 
@@ -99,7 +99,7 @@ Detector::~Detector() = default;
 Detector::Detector(Detector&&) noexcept = default;
 Detector& Detector::operator=(Detector&&) noexcept = default;
 
-const std::vector<Contact>& Detector::contacts(const Step& step, const QueryOptions& options) {
+std::span<const Contact> Detector::contacts(const Step& step, const QueryOptions& options) {
   const BusyGuard guard(state_->is_asked);
   const ComputingState computing_state;
   state_->ask("contacts", step, options, [&] { state_->find_contacts(); });

@@ -8,6 +8,7 @@ namespace tamis {
 /// The number type in which the caller keeps positions between steps.
 enum class StoredType : std::uint8_t { float64, float32 };
 
-std::string_view name_of(StoredType);
+/// Returns "float64" or "float32".
+[[nodiscard]] std::string_view name_of(StoredType);
 
 }  // namespace tamis

@@ -1,6 +1,5 @@
 // Tamis: every contact between moving, deforming triangle meshes.
 #pragma once
-#include "tamis/busy_guard.hpp"
 #include "tamis/components.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/detector.hpp"

@@ -79,7 +79,7 @@ Query Detector::State::asked_query(const Step& step, const QueryOptions& asked, 
 
 Query Detector::State::validated_query(const Step& step, const QueryOptions& asked, Question question,
                                        const BodyPairs* each_of) {
-  validate_of_step(asked);
+  validate(asked);
   in_arena_if_long([&] { validate(step, mesh); });
   Query result = asked_query(step, asked, question, each_of);
   if (frame_) result.frame = &*frame_;

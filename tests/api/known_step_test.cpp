@@ -188,7 +188,7 @@ TEST(SafeStep, DecidesHardlyAnyPairOfAFanSingly) {
       Detector detector(mesh);
       EXPECT_EQ(detector.safe_step(scene.step(), fraction).toi_lower, 1);
       EXPECT_LT(last_stage(detector.statistics()), 400u) << faces << ' ' << fraction;
-      detector.truncate(scene.step(), fraction);
+      (void)detector.truncate(scene.step(), fraction);
       EXPECT_LT(last_stage(detector.statistics()), 400u) << faces << ' ' << fraction;
     }
   }

@@ -144,17 +144,17 @@ TEST(FeaturePair, ALatestTimeOfInterestOnlyMakesLaterPairsFree) {
 TEST(PairDistance, BadInputIsNamed) {
   const std::vector<Point> points(4, Point{0, 0, 0}), fewer(3);
   const FeaturePair pair{PairKind::vertex_face, kAll};
-  EXPECT_THROW(distance_of({PairKind::vertex_face, {0, 1, 2, 4}}, points), InvalidStep);
-  EXPECT_THROW(distance_of({static_cast<PairKind>(7), kAll}, points), InvalidStep);
-  EXPECT_THROW(safe_step(pair, {points, fewer}, 0.5), InvalidStep);
-  EXPECT_THROW(safe_step(pair, {points, points}, 1), InvalidOptions);
-  EXPECT_THROW(safe_step(pair, {points, points}, std::nan("")), InvalidOptions);
+  EXPECT_THROW((void)distance_of({PairKind::vertex_face, {0, 1, 2, 4}}, points), InvalidStep);
+  EXPECT_THROW((void)distance_of({static_cast<PairKind>(7), kAll}, points), InvalidStep);
+  EXPECT_THROW((void)safe_step(pair, {points, fewer}, 0.5), InvalidStep);
+  EXPECT_THROW((void)safe_step(pair, {points, points}, 1), InvalidOptions);
+  EXPECT_THROW((void)safe_step(pair, {points, points}, std::nan("")), InvalidOptions);
   for (const double latest : {-0.1, 1.5, std::nan("")})
-    EXPECT_THROW(safe_step(pair, {points, points}, 0.5, {.latest = latest}), InvalidOptions);
+    EXPECT_THROW((void)safe_step(pair, {points, points}, 0.5, {.latest = latest}), InvalidOptions);
   auto bad = points;
   bad[2][1] = std::numeric_limits<double>::infinity();
   try {
-    safe_step(pair, {points, bad}, 0.5);
+    (void)safe_step(pair, {points, bad}, 0.5);
     FAIL() << "nothing was thrown";
   } catch (const InvalidStep& e) {
     EXPECT_STREQ(e.what(),

@@ -5,11 +5,13 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <sstream>
 
 #include "files/mesh/mesh_file.hpp"
 #include "paper/detector.hpp"
 #include "support/contact_sets.hpp"
+#include "support/copied.hpp"
 #include "support/test_data.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
@@ -80,10 +82,10 @@ class RecordedStep : public testing::TestWithParam<Frames> {
   std::vector<Contact> find(Method method) const {
     lab::Options options;
     options.method = method;
-    return lab::make_detector(io::mesh_of(start), options).contacts({start.positions, end.positions});
+    return contacts_of(lab::make_detector(io::mesh_of(start), options), {start.positions, end.positions});
   }
 
-  static PairSet names(const std::vector<Contact>& contacts) {
+  static PairSet names(std::span<const Contact> contacts) {
     PairSet result;
     for (const Contact& c : contacts) result.insert(in_one_order({c.kind, c.vertices}));
     return result;

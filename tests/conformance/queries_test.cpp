@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "paper/detector.hpp"
+#include "support/copied.hpp"
 #include "support/test_data.hpp"
 #include "tamis/pair.hpp"
 
@@ -24,7 +25,7 @@ std::vector<Contact> find(const Query& q, std::string_view method) {
   const bool is_vf = q.kind == PairKind::vertex_face;
   Mesh mesh = is_vf ? Mesh(4, {{1, 2, 3}}, {}, {0}) : Mesh(4, {}, {{0, 1}, {2, 3}});
   const Positions start(q.motion.start), end(q.motion.end);
-  return lab::make_detector(std::move(mesh), options).contacts({start, end});
+  return contacts_of(lab::make_detector(std::move(mesh), options), {start, end});
 }
 
 class Queries : public testing::Test {

@@ -48,7 +48,7 @@ int main() {
   const std::vector<Eigen::Vector3d> vectors(3);
   // Bug: -Wextra warns of what {.threads = 1} leaves at its default.
   tamis::Detector detector(tamis::Mesh(3, {{0, 1, 2}}), {.threads = 1});
-  detector.contacts({points, vectors});
+  (void)detector.contacts({points, vectors});
   const tamis::PairFilter filter{.group_of_vertex = {0, 0, 0}};
   const tamis::Options options{.min_separation = 1e-3, .filter = filter};
   const tamis::PairOptions pair{.latest = 0.5};

@@ -68,7 +68,6 @@ class Right {
     std::copy_n(start.begin(), n, result.begin());
     return result;
   }
-  std::vector<Contact>& get(Type<std::vector<Contact>>) { return contacts_; }
   template <class T>
   static T get(Type<T>) {  // options, and lists of nothing
     return {};
@@ -77,7 +76,6 @@ class Right {
   BezierPath path_{{start, end}};
   std::vector<FeaturePair> pairs_{get(Type<FeaturePair>())};
   std::vector<PairResult> results_ = std::vector<PairResult>(1);
-  std::vector<Contact> contacts_;
 };
 
 inline std::vector<Wrong<double>> wrong_values(Type<double>) {

@@ -52,7 +52,7 @@ void expect_same(const std::vector<BodyContact>& found, const std::map<BodyPair,
 }
 
 /// Of a world that has answered other questions, with one thread, and of a new one with four.
-std::size_t expect_first_of_all(TestWorld& kept, const QueryOptions& asked = {}) {
+std::size_t expect_first_of_all(TestWorld& kept, const PathOptions& asked = {}) {
   Options four;
   four.threads = 4;
   World fresh(four);
@@ -73,7 +73,7 @@ std::size_t expect_first_of_all(TestWorld& kept, const QueryOptions& asked = {})
   return expected.size();
 }
 
-std::size_t touching_pairs(double size, Motions motions, const QueryOptions& asked, double radius = 0) {
+std::size_t touching_pairs(double size, Motions motions, const PathOptions& asked, double radius = 0) {
   std::size_t pairs = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE(seed);
@@ -163,9 +163,9 @@ TEST(FirstContacts, AreRefusedWhereAPairTouchesAtTheStart) {
   world.add(point, Rigid{interpolated_chain({}, {{0, 0, 1}, {}})});
   EXPECT_EQ(world.first_contacts().at(0).toi_upper, 0);
   EXPECT_TRUE(world.first_contacts({.at_start = AtStart::ignore}).empty());
-  EXPECT_THROW(world.first_contacts({.at_start = AtStart::fail}), InvalidStep);
-  EXPECT_THROW(world.first_contacts({.min_separation = -1}), InvalidOptions);
-  EXPECT_THROW(world.first_contacts({.tolerance = 0}), InvalidOptions);
+  EXPECT_THROW((void)world.first_contacts({.at_start = AtStart::fail}), InvalidStep);
+  EXPECT_THROW((void)world.first_contacts({.min_separation = -1}), InvalidOptions);
+  EXPECT_THROW((void)world.first_contacts({.tolerance = 0}), InvalidOptions);
 }
 
 std::uint64_t decided(const World& world) {
@@ -203,7 +203,7 @@ void add_gears(World& world) {
 TEST(FirstContacts, OfGearsNeedFewDecisions) {
   World world(one_thread());
   add_gears(world);
-  const QueryOptions asked{.at_start = AtStart::ignore};
+  const PathOptions asked{.at_start = AtStart::ignore};
   EXPECT_GT(world.contacts(asked).size(), 3000u);
   const std::uint64_t by_all = decided(world);
   const std::vector<BodyContact> found = world.first_contacts(asked);
@@ -243,7 +243,7 @@ TEST(FirstContacts, AreCancelled) {
   const long needed = looks;
   for (long after = 0; after < needed; after += 1 + needed / 7) {
     looks_left = after;
-    EXPECT_THROW(world.first_contacts(), Cancelled);
+    EXPECT_THROW((void)world.first_contacts(), Cancelled);
   }
   looks_left = 1 << 20;
   const auto again = world.first_contacts();

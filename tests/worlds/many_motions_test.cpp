@@ -118,7 +118,7 @@ TEST(ManyMotions, FailForWhatTouchesAtTheStart) {
   const std::vector<EarliestBodyContact> found = world.earliest_many(std::vector{moving}, motions);
   EXPECT_FALSE(found[0].contact);
   EXPECT_EQ(found[1].toi_lower, 0);
-  QueryOptions options;
+  PathOptions options;
   options.at_start = AtStart::ignore;
   EXPECT_FALSE(world.earliest_many(std::vector{moving}, motions, options)[1].contact);
   options.at_start = AtStart::fail;

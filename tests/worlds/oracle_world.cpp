@@ -39,7 +39,7 @@ double true_first_touch(const TestWorld& world, double separation) {
 
 bool expect_truth(TestWorld& world, double separation) {
   const double truth = true_first_touch(world, separation);
-  const QueryOptions asked{.min_separation = separation};
+  const PathOptions asked{.min_separation = separation};
   Options with_threads;
   with_threads.threads = 3;
   TestWorld same(with_threads);

@@ -73,7 +73,7 @@ TEST(Together, TheSameInOneMesh) {
   EXPECT_TRUE(mesh.detector.is_free(mesh.path));
   EXPECT_LE(mesh.detector.statistics().decided_by.scalar, pairs_of_features(a, b));
   EXPECT_TRUE(mesh.detector.contacts(mesh.path, {.min_separation = 0.999e-6}).empty());
-  const std::vector<Contact> within = mesh.detector.contacts(mesh.path, {.min_separation = 1.001e-6});
+  const std::span<const Contact> within = mesh.detector.contacts(mesh.path, {.min_separation = 1.001e-6});
   EXPECT_FALSE(within.empty());
   for (const Contact& c : within) EXPECT_EQ(c.toi_lower, 0);
 }

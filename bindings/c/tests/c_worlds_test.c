@@ -58,7 +58,7 @@ static void what_is_answered(void) {
   tamis_intersection crossing;
   tamis_statistics statistics;
   tamis_safe_step safe = {sizeof safe};
-  tamis_query_options options = {sizeof options, NULL, TAMIS_REPORT, 1e-3};
+  tamis_path_options options = {sizeof options, 1e-3};
   const double far = 0.5;
   double lower = 0, upper = 0, first = 2;
   size_t count = 0, i;
@@ -84,10 +84,10 @@ static void what_is_answered(void) {
   statistics.size = sizeof statistics;
   EXPECT(tamis_world_statistics(world, &statistics) == TAMIS_OK && statistics.memory_bytes > 0);
 
-  EXPECT(tamis_world_pairs_within(world, 1.05, &count) == TAMIS_OK && count == 3);
+  EXPECT(tamis_world_pairs_within(world, 1.05, 0, &count) == TAMIS_OK && count == 3);
   EXPECT(tamis_world_copy_pairs_within(world, 0, 3, near, sizeof near[0]) == TAMIS_OK);
   for (i = 0; i < 3; ++i) EXPECT(near[i].distance == 1 && near[i].bodies[0] == 1 && near[i].bodies[1] == 0);
-  EXPECT(tamis_world_intersections(world, &count) == TAMIS_OK && count == 0);
+  EXPECT(tamis_world_intersections(world, 0, &count) == TAMIS_OK && count == 0);
   EXPECT(tamis_world_copy_intersections(world, 0, 0, NULL, sizeof crossing) == TAMIS_OK);
   EXPECT(tamis_world_safe_step(world, 0.5, NULL, &safe) == TAMIS_OK && 0 < safe.toi_lower && safe.toi_lower < first);
   EXPECT(tamis_world_set_radius(world, &contacts[0].bodies[0], 1, -1) == TAMIS_INVALID_OPTIONS);
@@ -129,15 +129,15 @@ static void what_goes_straight_and_what_deforms(void) {
   size_t count = 0;
   motion.poses = &upright; /* it stays in the plate: two that stay are not asked about */
   EXPECT(tamis_world_move(world, &moved, &motion) == TAMIS_OK);
-  EXPECT(tamis_world_intersections(world, &count) == TAMIS_OK && count == 0);
-  EXPECT(tamis_world_has_intersection(world, &intersects) == TAMIS_OK && intersects == 0);
-  EXPECT(tamis_world_has_intersection(world, NULL) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_world_intersections(world, 0, &count) == TAMIS_OK && count == 0);
+  EXPECT(tamis_world_has_intersection(world, 0, &intersects) == TAMIS_OK && intersects == 0);
+  EXPECT(tamis_world_has_intersection(world, 0, NULL) == TAMIS_INVALID_ARGUMENT);
   motion.poses = NULL;
   motion.links = &down; /* out of the plate */
   motion.links_of_each = 1;
   EXPECT(tamis_world_move(world, &moved, &motion) == TAMIS_OK);
-  EXPECT(tamis_world_intersections(world, &count) == TAMIS_OK && count > 0);
-  EXPECT(tamis_world_has_intersection(world, &intersects) == TAMIS_OK && intersects == 1);
+  EXPECT(tamis_world_intersections(world, 0, &count) == TAMIS_OK && count > 0);
+  EXPECT(tamis_world_has_intersection(world, 0, &intersects) == TAMIS_OK && intersects == 1);
   EXPECT(tamis_world_copy_intersections(world, 0, 1, &crossing, sizeof crossing) == TAMIS_OK);
   EXPECT(crossing.bodies[0] == 1 && crossing.bodies[1] == 0);
 
@@ -256,7 +256,7 @@ static void what_is_refused_changes_nothing(void) {
   EXPECT(tamis_world_add(world, NULL, &motion, added) == TAMIS_INVALID_ARGUMENT);
   EXPECT(tamis_world_contacts(world, NULL, NULL) == TAMIS_INVALID_ARGUMENT);
   EXPECT(tamis_world_contacts(NULL, NULL, &count) == TAMIS_INVALID_ARGUMENT);
-  EXPECT(tamis_world_pairs_within(world, NAN, &count) == TAMIS_INVALID_OPTIONS);
+  EXPECT(tamis_world_pairs_within(world, NAN, 0, &count) == TAMIS_INVALID_OPTIONS);
 
   EXPECT(tamis_world_set_may_touch(world, there, 1, 0) == TAMIS_OK && contacts_of(world) == 0);
   EXPECT(tamis_world_set_may_touch(world, there, 1, 1) == TAMIS_OK && contacts_of(world) == all);

@@ -1,9 +1,8 @@
 //! The parts of `tamis/tamis.h` and `integrations/rapier/clamp/clamp.h` that the crate uses.
 #![allow(non_camel_case_types)]
 use crate::answers::{Contact, Intersection, NearPair};
-use crate::motion::{RigidLink, Pose};
+use crate::motion::{Pose, RigidLink};
 use std::ffi::{c_char, c_int, c_void};
-use std::ptr::null;
 
 #[repr(C)]
 pub struct tamis_mesh {
@@ -75,23 +74,15 @@ pub struct tamis_motions {
 zeroed!(tamis_motions);
 
 #[repr(C)]
-pub struct tamis_query_options {
+pub struct tamis_path_options {
     pub size: usize,
-    pub min_separation: *const f64,
-    pub at_start: i32,
     pub tolerance: f64,
+    pub min_separation: *const f64,
+    pub is_cancelled: Option<extern "C" fn(*mut c_void) -> c_int>,
+    pub user: *mut c_void,
+    pub at_start: i32,
 }
-
-impl tamis_query_options {
-    pub fn new(min_separation: Option<&f64>, at_start: i32, tolerance: f64) -> Self {
-        tamis_query_options {
-            size: size_of::<Self>(),
-            min_separation: min_separation.map_or(null(), |x| x),
-            at_start,
-            tolerance,
-        }
-    }
-}
+zeroed!(tamis_path_options);
 
 /// The first contact of one of many motions.
 #[repr(C)]
@@ -117,7 +108,12 @@ extern "C" {
     ) -> c_int;
     pub fn tamis_shape_free(shape: *mut tamis_shape);
     pub fn tamis_shape_message(shape: *const tamis_shape) -> *const c_char;
-    pub fn tamis_chain_between(start: *const Pose, end: *const Pose, center: *const f64, links: *mut RigidLink) -> c_int;
+    pub fn tamis_chain_between(
+        start: *const Pose,
+        end: *const Pose,
+        center: *const f64,
+        links: *mut RigidLink,
+    ) -> c_int;
     pub fn tamis_pose_at(links: *const RigidLink, count: usize, time: f64, pose: *mut Pose) -> c_int;
     pub fn tamis_pose_of_quaternion(quaternion: *const f64, position: *const f64, pose: *mut Pose) -> c_int;
     pub fn tamis_turned_chain(
@@ -153,17 +149,17 @@ extern "C" {
 
     pub fn tamis_world_contacts(
         world: *mut tamis_world,
-        options: *const tamis_query_options,
+        options: *const tamis_path_options,
         count: *mut usize,
     ) -> c_int;
     pub fn tamis_world_first_contacts(
         world: *mut tamis_world,
-        options: *const tamis_query_options,
+        options: *const tamis_path_options,
         count: *mut usize,
     ) -> c_int;
     pub fn tamis_world_earliest(
         world: *mut tamis_world,
-        options: *const tamis_query_options,
+        options: *const tamis_path_options,
         lower: *mut f64,
         upper: *mut f64,
         count: *mut usize,
@@ -173,18 +169,27 @@ extern "C" {
         bodies: *const i32,
         body_count: usize,
         motions: *const tamis_motions,
-        options: *const tamis_query_options,
+        options: *const tamis_path_options,
         answers: *mut tamis_earliest,
         answer_size: usize,
     ) -> c_int;
     pub fn tamis_world_is_free(
         world: *mut tamis_world,
-        options: *const tamis_query_options,
+        options: *const tamis_path_options,
         is_free: *mut c_int,
     ) -> c_int;
-    pub fn tamis_world_pairs_within(world: *mut tamis_world, distance: f64, count: *mut usize) -> c_int;
-    pub fn tamis_world_intersections(world: *mut tamis_world, count: *mut usize) -> c_int;
-    pub fn tamis_world_has_intersection(world: *mut tamis_world, has_intersection: *mut c_int) -> c_int;
+    pub fn tamis_world_pairs_within(
+        world: *mut tamis_world,
+        distance: f64,
+        include_static: c_int,
+        count: *mut usize,
+    ) -> c_int;
+    pub fn tamis_world_intersections(world: *mut tamis_world, include_static: c_int, count: *mut usize) -> c_int;
+    pub fn tamis_world_has_intersection(
+        world: *mut tamis_world,
+        include_static: c_int,
+        has_intersection: *mut c_int,
+    ) -> c_int;
     pub fn tamis_world_copy_contacts(
         world: *mut tamis_world,
         first: usize,

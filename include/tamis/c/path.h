@@ -96,16 +96,17 @@ TAMIS_API const char* tamis_path_message(const tamis_path* path);
 /** Writes where the vertices are at a time in [0,1], rounded to doubles: vertex_count x 3. */
 TAMIS_API tamis_status tamis_path_points_at(tamis_path* path, double time, double* points);
 
-/** Options of one question about a path. A field that is zero has its default. */
+/** Options of one question about a path, or about a world, whose bodies may turn. A field that is zero has its default.
+ */
 typedef struct tamis_path_options {
   size_t size;
   double tolerance;             /**< the widest bracket of a contact, a fraction of the step in (0, 1]; 0: 1e-9 */
-  const double* min_separation; /**< for this question alone; NULL: the detector's, or 0 for pairs */
+  const double* min_separation; /**< for this question alone; NULL: the detector's, the world's, or 0 for pairs */
   /** Only for lists of pairs, where one pair may take seconds: asked again and again; once it returns other than 0, the
-   * call ends with TAMIS_CANCELLED. A detector asks that of its own options. */
+   * call ends with TAMIS_CANCELLED. Detectors and worlds ask that of their own options. */
   int (*is_cancelled)(void* user);
   void* user;       /**< passed to is_cancelled */
-  int32_t at_start; /**< only for a detector's questions: TAMIS_REPORT, TAMIS_IGNORE or TAMIS_FAIL */
+  int32_t at_start; /**< of a detector's or world's questions: TAMIS_REPORT, TAMIS_IGNORE or TAMIS_FAIL */
 } tamis_path_options;
 
 /** As the questions about a step. `options` NULL: the defaults. TAMIS_INVALID_PATH if the path does not fit the mesh or

@@ -68,7 +68,7 @@ TEST(patches, contours_are_the_sides_that_nothing_cancels_on_every_kind_of_mesh)
 TEST(patches, a_strip_has_one_contour_and_a_twisted_or_closed_one_has_none) {
   const Mesh strip(6, {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}});
   EXPECT_EQ(patch_contours(strip, {0, 1, 2, 3}, 2)[0].size(), 6U);
-  const Mesh turned_chain(6, {{0, 1, 2}, {2, 1, 3}, {2, 4, 3}, {4, 3, 5}});
+  const Mesh turned(6, {{0, 1, 2}, {2, 1, 3}, {2, 4, 3}, {4, 3, 5}});
   EXPECT_TRUE(patch_contours(turned, {0, 1, 2, 3}, 2)[0].empty());
   const Mesh closed(4, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}});
   EXPECT_TRUE(patch_contours(closed, {0, 1, 2, 3}, 2)[0].empty());

@@ -40,7 +40,7 @@ Pose random_pose(Random& random) { return {random.point_between(-3, 3), random.p
 Real off_from(const RealPoint& expected, const RigidChain& chain, double time, const Point& x) {
   std::array<Point, 1> point{};
   std::array<double, 1> error{};
-  RigidPath({x}, {0}, {chain}).points_at(time, std::array<Index, 1>{0}, point, error);
+  (void)RigidPath({x}, {0}, {chain}).points_at(time, std::array<Index, 1>{0}, point, error);
   return norm_of(plus_part(real_of(point[0]), -1, expected));
 }
 
@@ -103,7 +103,7 @@ TEST(Motions, ThatBlendQuaternionsStayAsNearAsTheBoundSays) {
     EXPECT_GE(farthest, 0.25 * bound * norm_of(arm) - 1e-17L);
   }
   EXPECT_EQ(nlerp_deviation({}, {}), 0);
-  EXPECT_THROW(nlerp_deviation({}, {{}, {std::nan(""), 0, 0}}), InvalidPath);
+  EXPECT_THROW((void)nlerp_deviation({}, {{}, {std::nan(""), 0, 0}}), InvalidPath);
 }
 
 /// Chains as long as an arm's. Errors are sharp enough to be of use, and deviations hold on pieces.

@@ -98,10 +98,10 @@ TEST(Pose, OnAChainIsWhereThePathHasTheBody) {
 }
 
 TEST(Pose, OnAChainOutsideOfTheStepIsRefused) {
-  for (const double time : {-0.1, 1.1, std::nan("")}) EXPECT_THROW(pose_at({}, time), InvalidPath);
-  EXPECT_THROW(pose_at(interpolated_chain({{std::nan(""), 0, 0}, {}}, {}), 0), InvalidPath);
+  for (const double time : {-0.1, 1.1, std::nan("")}) EXPECT_THROW((void)pose_at({}, time), InvalidPath);
+  EXPECT_THROW((void)pose_at(interpolated_chain({{std::nan(""), 0, 0}, {}}, {}), 0), InvalidPath);
   try {
-    pose_at({}, 2);
+    (void)pose_at({}, 2);
     FAIL();
   } catch (const InvalidPath& e) {
     EXPECT_STREQ(e.what(), "time is 2: give a number in [0,1]");
@@ -109,14 +109,14 @@ TEST(Pose, OnAChainOutsideOfTheStepIsRefused) {
 }
 
 TEST(Pose, OfNoRotationIsRefused) {
-  EXPECT_NO_THROW(pose_of_quaternion({1.00004, 0, 0, 0}, {}));
-  EXPECT_THROW(pose_of_quaternion({1.0001, 0, 0, 0}, {}), InvalidPath);
-  EXPECT_THROW(pose_of_quaternion({0, 0, 0, 0}, {}), InvalidPath);
-  EXPECT_THROW(pose_of_quaternion({std::nan(""), 0, 0, 0}, {}), InvalidPath);
-  EXPECT_THROW(pose_of_matrix(Rows{{{1.0001, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}), InvalidPath);
-  EXPECT_THROW(pose_of_matrix(Rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, std::nan("")}}}, {}), InvalidPath);
+  EXPECT_NO_THROW((void)pose_of_quaternion({1.00004, 0, 0, 0}, {}));
+  EXPECT_THROW((void)pose_of_quaternion({1.0001, 0, 0, 0}, {}), InvalidPath);
+  EXPECT_THROW((void)pose_of_quaternion({0, 0, 0, 0}, {}), InvalidPath);
+  EXPECT_THROW((void)pose_of_quaternion({std::nan(""), 0, 0, 0}, {}), InvalidPath);
+  EXPECT_THROW((void)pose_of_matrix(Rows{{{1.0001, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}), InvalidPath);
+  EXPECT_THROW((void)pose_of_matrix(Rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, std::nan("")}}}, {}), InvalidPath);
   try {
-    pose_of_matrix(Rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}}, {});
+    (void)pose_of_matrix(Rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}}, {});
     FAIL();
   } catch (const InvalidPath& e) {
     EXPECT_STREQ(e.what(), "the matrix is a reflection: give a rotation, which rounding may have changed by 1e-4");

@@ -174,7 +174,7 @@ class Changes:
     def set_may_touch(self, bodies: npt.ArrayLike, may_touch: bool) -> None:
         """Set whether pairs of bodies may touch.
 
-        At first all pairs may, except two bodies that both stay at a pose; a deforming body may touch itself.
+        At first all pairs may, and a deforming body may touch itself.
 
         Parameters
         ----------
@@ -186,8 +186,8 @@ class Changes:
         Raises
         ------
         InvalidOptions
-            The world has no such body; then nothing changes. Or `may_touch` is True for two bodies that both stay, or
-            for a body with itself that does not deform; then the pairs before that one are set.
+            The world has no such body, or `may_touch` is True for a body with itself that does not deform; then nothing
+            changes.
         """
         pairs = indices(bodies, 2, "bodies", InvalidOptions, one_may_come_alone=True)
         self._world.set_may_touch(pairs, truth(may_touch, "may_touch"))

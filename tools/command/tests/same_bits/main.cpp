@@ -3,6 +3,7 @@
 // here.
 #include <cstdio>
 #include <cstring>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,7 @@ std::string answers(const Mesh& mesh, const Step& step, Isa isa) {
   options.isa = isa;
   Detector detector(mesh, options);
   Hash hash;
-  const std::vector<Contact>& contacts = detector.contacts(step);
+  std::span<const Contact> contacts = detector.contacts(step);
   const std::size_t count = contacts.size();
   for (const Contact& c : contacts) add(hash, c);
   const EarliestContact first = detector.earliest(step);

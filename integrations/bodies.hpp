@@ -44,8 +44,8 @@ class Bodies {
 };
 
 /// A step that an engine wants to make, after its solver. The proof is about each body's way from pose(body, 0) to its
-/// final pose: the origin goes straight, and the body turns the shorter way about a fixed axis (`between`). The origin
-/// must be the centre of mass.
+/// final pose: the origin goes straight, and the body turns the shorter way about a fixed axis (`chain_between`). The
+/// origin must be the centre of mass.
 class WantedStep : public Bodies {
  public:
   virtual double seconds() const = 0;

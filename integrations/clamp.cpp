@@ -191,10 +191,10 @@ class Clamp {
 
   void set_off(BodyId body) {
     const Pose start = step_.pose(body, 0), end = step_.pose(body, fractions_.at(body));
-    const Chain way = between(start, end);
+    const RigidChain way = chain_between(start, end);
     double& travel = travels_[body];
     travel = 0;
-    for (const Link& link : way)
+    for (const RigidLink& link : way)
       travel += length({link.end.position[0] - link.start.position[0], link.end.position[1] - link.start.position[1],
                         link.end.position[2] - link.start.position[2]}) +
                 step_.radius(body) * length({link.end.rotation[0] - link.start.rotation[0],
@@ -218,7 +218,7 @@ class Clamp {
 
   /// All contacts of a pair are needed only where its first one is of parts that do not collide: it hides others.
   FirstContacts first_contacts() {
-    const QueryOptions asked{.at_start = AtStart::ignore, .tolerance = kTolerance};
+    const PathOptions asked{.at_start = AtStart::ignore, .tolerance = kTolerance};
     std::vector<BodyContact> contacts = world_.first_contacts(asked);
     std::erase_if(contacts, [&](const BodyContact& contact) { return !may_collide(pair_of(contact.bodies)); });
     const auto counts = [&](const BodyContact& contact) { return collides_at(contact); };
@@ -310,7 +310,7 @@ class Clamp {
 
 }  // namespace
 
-BodyMotion resting(const Pose& pose) { return Rigid{Chain{{pose, pose}}}; }
+BodyMotion resting(const Pose& pose) { return Rigid{RigidChain{{pose, pose}}}; }
 
 std::set<BodyPair> overlapping(World& world) {
   std::set<BodyPair> pairs;

@@ -11,7 +11,7 @@ LAYER = {"numbers": 0, "pair/motion": 1, "search/bounds": 2, "search/topology": 
          "pair/exact": 5, "pair/narrow": 6, "search/kernels": 7, "search/query": 8, "search/coherence": 9, "search/engine": 10,
          "curves/paths": 11, "api": 12, "worlds": 13}
 # Folders outside the library, and what each may include besides itself and the public headers.
-OUTSIDE = {"include/tamis": [], "bindings/c": [], "bindings/python/src": ["python", "audit", "files", "scenes", "numbers"],
+OUTSIDE = {"include/tamis": [], "bindings/c": ["numbers"], "bindings/python/src": ["python", "audit", "files", "scenes", "numbers"],
            # Ranks find a frame together, and give it to their detectors.
            "distributed/include": [], "distributed/src": ["distributed", "search/bounds", "api", "numbers"],
            "tools/audit": [],

@@ -23,7 +23,7 @@ NO_QUESTIONS = {
     *("bench", "info", "scene", "view"),
 }
 NO_QUESTIONS_IN_C = re.compile(
-    r"_(create|(?<!_is_)free|message|statistics|copy_\w+|(?<!world_)points_at|add|move|remove|set_\w+)$|^tamis_(mesh_|version|turned|between|nlerp_|pose_(of_|at)|weights_of)"
+    r"_(create|(?<!_is_)free|message|statistics|copy_\w+|(?<!world_)points_at|add|move|remove|set_\w+)$|^tamis_(mesh_|version|turned_|chain_|nlerp_|pose_(of_|at)|weights_of)"
 )
 
 

@@ -10,7 +10,7 @@ POSITIONS_IN_C = {"start", "end", "start_stride", "end_stride", "vertex_count"}
 
 
 def text(place: str) -> str:
-    return (ROOT / place).read_text()
+    return (ROOT / place).read_text().replace("[[nodiscard]] ", "")
 
 
 def members(header: str, struct: str) -> set[str]:
@@ -55,10 +55,10 @@ def options() -> dict[str, list[set[str]]]:
         ],
         "Options of a question": [
             members(header, "QueryOptions"),
+            members(header, "PathOptions"),
             keywords("InMotion", "contacts", f"{detectors}/_in_motion.py"),
             members("include/tamis/c/answers.h", "tamis_step") - POSITIONS_IN_C,
             members("include/tamis/c/path.h", "tamis_path_options"),
-            members("include/tamis/c/world.h", "tamis_query_options"),
             command_options("AtStartArgument"),
         ],
     }

@@ -16,7 +16,7 @@ IN_RUST = {
     **{"int": "c_int", "tamis_status": "c_int", "char": "c_char", "void": "c_void", "double": "f64"},
     **{"int32_t": "i32", "uint64_t": "u64", "uint8_t": "u8", "size_t": "usize", "ptrdiff_t": "isize"},
     # Types that users of the crate see.
-    **{"tamis_pose": "Pose", "tamis_link": "Link", "tamis_contact": "Contact", "tamis_near_pair": "NearPair"},
+    **{"tamis_pose": "Pose", "tamis_rigid_link": "RigidLink", "tamis_contact": "Contact", "tamis_near_pair": "NearPair"},
     **{"tamis_intersection": "Intersection", "tamis_body_end": "End", "tamis_velocity": "Velocity"},
     **{"tamis_inertia": "Inertia"},
 }

@@ -1,6 +1,8 @@
 // Tamis itself, the published pipeline, and the decision of one pair.
 #include <fmt/format.h>
 
+#include <span>
+
 #include "benchmarks/contenders/contender.hpp"
 #include "paper/detector.hpp"
 #include "scenes/point_math.hpp"
@@ -37,9 +39,9 @@ class Asked : public Contender {
  private:
   void ask(const Step& step) {
     if (field() == Field::largest_step)
-      detector_->earliest(step);
+      (void)detector_->earliest(step);
     else
-      detector_->contacts(step);
+      (void)detector_->contacts(step);
   }
 
   std::string method_;
@@ -55,17 +57,17 @@ class AllContacts final : public Asked {
   Cost run(const Task& task) override {
     Detector& asked = detector(task);
     const Stopwatch watch;
-    contacts_ = &asked.contacts({task.start, task.end});
+    contacts_ = asked.contacts({task.start, task.end});
     return watch.cost();
   }
   Answer answer(const Task& task) override {
     std::vector<Pair> pairs;
-    for (const Contact& contact : *contacts_) pairs.push_back(pair_of(contact));
+    for (const Contact& contact : contacts_) pairs.push_back(pair_of(contact));
     return compare(task, pairs, true, true);
   }
 
  private:
-  const std::vector<Contact>* contacts_ = nullptr;
+  std::span<const Contact> contacts_;
 };
 
 class LargestStep final : public Asked {

@@ -59,11 +59,11 @@ void run(double triangles, bool has_header) {
     contacts = detector.contacts(question % 2 == 0 ? part.step() : part.back()).size();
   if (rank == 0 && has_header) std::printf("%s\n", kHeader);
   report("contacts", triangles, ranks, rank, detector, contacts);
-  detector.earliest(part.step());
+  (void)detector.earliest(part.step());
   report("earliest", triangles, ranks, rank, detector, 0);
-  detector.earliest(part.closing());
+  (void)detector.earliest(part.closing());
   report("earliest_closing", triangles, ranks, rank, detector, 0);
-  detector.safe_step(part.step(), 0.1);
+  (void)detector.safe_step(part.step(), 0.1);
   report("safe_step", triangles, ranks, rank, detector, 0);
 }
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <ctime>
+#include <span>
 
 #include "benchmarks/mean_edge.hpp"
 #include "matrix/versions.hpp"
@@ -54,7 +55,7 @@ void add_bracket(double lower, double upper, Outcome& outcome) {
   add(outcome.bits, upper);
 }
 
-void add_answer(const std::vector<Contact>& contacts, Outcome& outcome) {
+void add_answer(std::span<const Contact> contacts, Outcome& outcome) {
   double lower = 1, upper = 1;
   for (const Contact& contact : contacts) {
     add_contact(contact, outcome);
@@ -78,7 +79,7 @@ void add_answer(bool is_free, Outcome& outcome) {
 
 void add_answer(const SafeStep& step, Outcome& outcome) {
   outcome.contacts += step.pair ? 1 : 0;
-  add_bracket(step.lower, step.upper, outcome);
+  add_bracket(step.toi_lower, step.toi_upper, outcome);
 }
 
 /// Adds a near pair, or an intersection.
@@ -137,7 +138,7 @@ void Session::ask(Question question, const std::vector<Point>& start, const std:
     add_answer(answer, outcome);
     add_counts(detector_->statistics(), outcome);
   };
-  if (question == Question::contacts) timed([&]() -> const auto& { return detector_->contacts(step); });
+  if (question == Question::contacts) timed([&]() -> decltype(auto) { return detector_->contacts(step); });
   if (question == Question::earliest) timed([&] { return detector_->earliest(step); });
   if (question == Question::free) timed([&] { return detector_->is_free(step); });
   if (question == Question::keep) timed([&] { return safe_step(*detector_, step, kKeptFraction); });

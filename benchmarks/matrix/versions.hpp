@@ -35,9 +35,9 @@ auto safe_step(AnyDetector& detector, const AnyStep& step, double keep) {
 /// Does this version answer questions about positions? If not, the matrix has no such cells.
 template <class AnyDetector>
 concept AsksPositions = requires(AnyDetector& detector, const Step& step) {
-  detector.truncate(step, 0.1);
-  detector.pairs_within(step.end, 0.1);
-  detector.intersections(step.end);
+  (void)detector.truncate(step, 0.1);
+  (void)detector.pairs_within(step.end, 0.1);
+  (void)detector.intersections(step.end);
 };
 
 /// Calls timed(ask) if the question is about positions, or truncate.
@@ -46,8 +46,10 @@ void ask_positions(AnyDetector& detector, Question question, const Step& step, d
                    const Timed& timed) {
   if constexpr (AsksPositions<AnyDetector>) {
     if (question == Question::truncate) timed([&] { return detector.truncate(step, keep); });
-    if (question == Question::within) timed([&]() -> const auto& { return detector.pairs_within(step.end, distance); });
-    if (question == Question::intersections) timed([&]() -> const auto& { return detector.intersections(step.end); });
+    if (question == Question::within)
+      timed([&]() -> decltype(auto) { return detector.pairs_within(step.end, distance); });
+    if (question == Question::intersections)
+      timed([&]() -> decltype(auto) { return detector.intersections(step.end); });
   }
 }
 

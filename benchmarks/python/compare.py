@@ -76,7 +76,7 @@ def ask_steps(scene: str, folder: pathlib.Path, threads: int, repeat: int) -> li
     kept = {"TightInclusion": 1e-4, "Additive": 0.1}
     for name, narrow in phases.items():
         safe, ms = median_ms(lambda f=kept[name]: detector.safe_step(start, end, f), 5 * repeat)
-        add(f"safe step, as {name}", "tamis", f"{safe.lower:.6g}", ms, "proven")
+        add(f"safe step, as {name}", "tamis", f"{safe.toi_lower:.6g}", ms, "proven")
 
         def ask(narrow: Any = narrow) -> float:
             return ipctk.compute_collision_free_stepsize(surface, *columns, 0.0, ipctk.LBVH(), narrow)

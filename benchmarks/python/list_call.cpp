@@ -6,7 +6,7 @@
 /// Seconds for `count` pairs of a vertex and a face, four points each. Allocates the results, as Python does.
 extern "C" __attribute__((visibility("default"))) double tamis_list_call(std::size_t count, const double* start,
                                                                          const double* end) {
-  std::vector<tamis::Pair> pairs(count);
+  std::vector<tamis::FeaturePair> pairs(count);
   for (std::size_t i = 0; i < count; ++i) {
     const auto first = static_cast<tamis::Index>(4 * i);
     pairs[i] = {tamis::PairKind::vertex_face, {first, first + 1, first + 2, first + 3}};

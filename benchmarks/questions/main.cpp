@@ -45,7 +45,7 @@ struct Bench {
 
   /// Decides a list of the step's own contacts, as if a broad phase had found them.
   void list_of_pairs() {
-    std::vector<Pair> pairs;
+    std::vector<FeaturePair> pairs;
     for (const Contact& c : detector.contacts(step)) pairs.push_back({c.kind, c.vertices});
     std::vector<PairResult> results(pairs.size());
     PairOptions options;
@@ -82,7 +82,7 @@ struct Bench {
       whole += std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
     }
     std::printf("\nOf the way to the end, summed over the vertices: together %.4f, each its own %.4f.\n",
-                together.lower, went / whole);
+                together.toi_lower, went / whole);
   }
 };
 
@@ -93,10 +93,10 @@ void step_lengths(const bench::Frames& frames, const Options& options, int repea
   for (const double fraction : {0.1, 0.2, 0.5}) {
     std::vector<double> times, ratios;
     for (int run = 0; run <= repeat; ++run) {
-      largest.earliest(back);
-      keeping.safe_step(back, fraction);
-      const double other = time_of([&] { largest.earliest(way); });
-      times.push_back(time_of([&] { keeping.safe_step(way, fraction); }));
+      (void)largest.earliest(back);
+      (void)keeping.safe_step(back, fraction);
+      const double other = time_of([&] { (void)largest.earliest(way); });
+      times.push_back(time_of([&] { (void)keeping.safe_step(way, fraction); }));
       ratios.push_back(times.back() / other);
     }
     char question[100];

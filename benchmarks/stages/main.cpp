@@ -138,7 +138,7 @@ void add_one_pair(const Workload& work, PairKind kind) {
 /// The pose of a body that turns about one axis: in doubles, and for a turn too large for doubles in double-double.
 void add_poses() {
   for (const auto& [name, angle] : {std::pair{"pose", 1.0}, std::pair{"pose_far", 5.0}}) {
-    const Chain chain(interpolated({{1, 2, 3}, {0, 0, angle}}, {{2, 3, 4}, {0, 0, angle / 2}}));
+    const RigidChain chain(interpolated_chain({{1, 2, 3}, {0, 0, angle}}, {{2, 3, 4}, {0, 0, angle / 2}}));
     benchmark::RegisterBenchmark(name, [chain](State& state) {
       double time = 0;
       for (auto _ : state) benchmark::DoNotOptimize(transform_at(chain, time += 0x1p-40));

@@ -32,7 +32,7 @@ struct Arm {
   }
   /// Adds the motions of all links from one configuration to the other.
   static void add_motion(const Angles& start, const Angles& end, std::vector<BodyMotion>& motions) {
-    Chain chain;
+    RigidChain chain;
     for (std::size_t k = 0; k < kJoints; ++k) {
       chain.push_back({joint(k, start[k]), joint(k, end[k])});
       motions.emplace_back(Rigid{chain});

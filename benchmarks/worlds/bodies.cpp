@@ -12,15 +12,15 @@ void two_large_bodies(int steps) {
     for (double& x : rough.points[v]) x *= 1 + 0.005 * std::sin(static_cast<double>(7 * v));
   const Shape ball = shape_of(rough);
   World world(options());
-  world.add(ball, Rigid{interpolated({{0, 0, 0}, {}}, {{0, 0, 0.001}, {}})});
+  world.add(ball, Rigid{interpolated_chain({{0, 0, 0}, {}}, {{0, 0, 0.001}, {}})});
   const BodyId turning = world.add(ball, Static{});
   EarliestBodyContact first;
   const Cost cost = milliseconds(
       steps,
       [&](int step) {
         const double angle = 0.05 * step;
-        world.move(turning,
-                   Rigid{interpolated({{2.012, 0, 0}, {angle, 0.3, 0}}, {{1.998, 0, 0}, {angle + 0.05, 0.3, 0}})});
+        world.move(turning, Rigid{interpolated_chain({{2.012, 0, 0}, {angle, 0.3, 0}},
+                                                     {{1.998, 0, 0}, {angle + 0.05, 0.3, 0}})});
       },
       [&] { first = world.earliest(); });
   print_row("earliest of two rough balls of 20,172 triangles, near, one turning", first.contact.has_value(), cost);
@@ -43,10 +43,10 @@ void many_bodies(int count, int steps) {
     Pose end = start;
     end.rotation[0] += 0.05;
     if (is_near) end.position[0] -= sign * 0.003;
-    return interpolated(start, end);
+    return interpolated_chain(start, end);
   };
   for (int body = 0; body < count; ++body) world.add(ball, Rigid{chain(body, 0)});
-  std::vector<Chain> chains(static_cast<std::size_t>(count));
+  std::vector<RigidChain> chains(static_cast<std::size_t>(count));
   const auto move_all = [&] {
     for (int body = 0; body < count; ++body) world.move(body, Rigid{chains[static_cast<std::size_t>(body)]});
   };
@@ -79,7 +79,7 @@ void balls_above_a_ground(int steps) {
   constexpr int kBalls = 400, kSide = 20;
   const auto turn = [](int body, int step) {
     const double x = 3.0 * (body % kSide) + 0.01 * step, y = 3.0 * (body / kSide), z = body < 2 ? 1.002 : 40;
-    return Rigid{turned({{x, y, z}, {0.1 * step, 0, 0}}, {0.1, 0, 0}, {x + 0.01, y, z - 0.003})};
+    return Rigid{turned_chain({{x, y, z}, {0.1 * step, 0, 0}}, {0.1, 0, 0}, {x + 0.01, y, z - 0.003})};
   };
   for (int body = 0; body < kBalls; ++body) world.add(ball, turn(body, 0));
   EarliestBodyContact first;
@@ -99,7 +99,7 @@ void safe_steps_beside_a_far_flight(int steps) {
                     {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   World world(options());
   world.add(ball, Static{});
-  world.add(ball, Rigid{turned({{2.3, 0, 0}, {}}, {0, 0, 0.01}, {2.3, 0, 0})});
+  world.add(ball, Rigid{turned_chain({{2.3, 0, 0}, {}}, {0, 0, 0.01}, {2.3, 0, 0})});
   BodyStep safe;
   const auto row = [&](const std::string& what) {
     const Cost cost = milliseconds(
@@ -107,7 +107,7 @@ void safe_steps_beside_a_far_flight(int steps) {
     print_row("safe_step of two balls of 432 triangles" + what, safe.pair.has_value(), cost);
   };
   row("");
-  world.add(small, Rigid{turned({{-500, 3, 0}, {}}, {0.1, 0, 0}, {500, 3, 0})});
+  world.add(small, Rigid{turned_chain({{-500, 3, 0}, {}}, {0.1, 0, 0}, {500, 3, 0})});
   row(" that a small body flies past, 1,000 far");
 }
 

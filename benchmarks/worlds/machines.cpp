@@ -25,7 +25,7 @@ void machine_row(const std::string& what, const scenes::Machine& machine, int st
           const auto& [start, end] = machine.parts[i].way;
           if (start.position == end.position && start.rotation == end.rotation) continue;
           world.move(static_cast<BodyId>(i),
-                     Rigid{step % 2 == 0 ? interpolated(start, end) : interpolated(end, start)});
+                     Rigid{step % 2 == 0 ? interpolated_chain(start, end) : interpolated_chain(end, start)});
         }
       },
       [&] { first = world.earliest(); });

@@ -37,7 +37,7 @@ void plate_on_plate(double gap, int steps) {
       steps,
       [&](int step) {
         const Pose pose{scaled({normal}, gap)[0], askew};
-        world.move(turning, Rigid{turned(pose, scaled({normal}, 0.3 + 0.01 * step)[0], pose.position)});
+        world.move(turning, Rigid{turned_chain(pose, scaled({normal}, 0.3 + 0.01 * step)[0], pose.position)});
       },
       [&] { first = world.earliest(); });
   char text[120];

@@ -15,7 +15,7 @@ void thick_cubes(const std::string& what, int count, int steps, const std::funct
     const auto place = [body](int at) {
       return Pose{{(2 + kGap) * body, 0.2 * kGap * std::sin(body + 0.5 * at), 0}, {}};
     };
-    return Rigid{interpolated(place(step), place(step + 1))};
+    return Rigid{interpolated_chain(place(step), place(step + 1))};
   };
   World world(options());
   for (int body = 0; body < count; ++body) world.set_radius(world.add(cube, way(body, 0)), kGap * radius(body));

@@ -51,8 +51,8 @@ tamis_intersection intersection_of(const AnyIntersection& i) {
 template <class AnySafeStep>
 tamis_safe_step answer_of(const AnySafeStep& safe) {
   tamis_safe_step answer{};
-  answer.lower = safe.lower;
-  answer.upper = safe.upper;
+  answer.toi_lower = safe.toi_lower;
+  answer.toi_upper = safe.toi_upper;
   answer.has_pair = safe.pair.has_value();
   if (safe.pair) answer.pair = near_pair_of(*safe.pair);
   return answer;

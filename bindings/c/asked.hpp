@@ -7,7 +7,7 @@
 #include "c/answers.hpp"
 #include "c/handle.hpp"
 #include "c/sized.hpp"
-#include "tamis/busy_guard.hpp"
+#include "numbers/busy_guard.hpp"
 #include "tamis/options.hpp"
 
 namespace tamis::c {
@@ -46,6 +46,12 @@ inline AtStart at_start(int32_t given) {
   return static_cast<AtStart>(given);
 }
 
+inline PathOptions path_options_of(const tamis_path_options& given) {
+  PathOptions options{separation(given.min_separation), at_start(given.at_start)};
+  if (given.tolerance != 0) options.tolerance = given.tolerance;
+  return options;
+}
+
 /// Pairs by themselves that touch at the start are reported, without a choice.
 inline void require_report(int32_t at_start) {
   if (at_start != TAMIS_REPORT)
@@ -58,7 +64,8 @@ template <class Row, class Find>
 void keep_rows(std::vector<Row>& rows, std::size_t* count, const Find& find) {
   rows.clear();
   std::size_t& number = required(count, "count");
-  rows = find();
+  const auto& found = find();
+  rows.assign(found.begin(), found.end());
   number = rows.size();
 }
 

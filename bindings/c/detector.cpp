@@ -11,10 +11,10 @@ using namespace tamis::c;
 
 namespace {
 
-tamis::Stored known_stored(int32_t stored) {
+tamis::StoredType known_stored(int32_t stored) {
   if (stored != TAMIS_FLOAT64 && stored != TAMIS_FLOAT32)
     throw InvalidArgument("stored is " + std::to_string(stored) + ": give TAMIS_FLOAT64 or TAMIS_FLOAT32");
-  return static_cast<tamis::Stored>(stored);
+  return static_cast<tamis::StoredType>(stored);
 }
 
 }  // namespace
@@ -32,9 +32,7 @@ const char* tamis_detector_message(const tamis_detector* detector) { return mess
 
 tamis_status tamis_detector_contacts(tamis_detector* detector, const tamis_step* step, size_t* count) {
   return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, const tamis::QueryOptions& q) {
-    size_t& number = required(count, "count");
-    handle.object->contacts(s, handle.contacts, q);
-    number = handle.contacts.size();
+    keep_rows(handle.contacts, count, [&] { return handle.object->contacts(s, q); });
   });
 }
 

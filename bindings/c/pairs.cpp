@@ -63,8 +63,8 @@ tamis_status tamis_vertex_vertex(tamis_pairs* pairs, size_t count, const double*
   return ask_about<tamis::PairKind::vertex_vertex, 2>(pairs, count, start, end, results, result_size);
 }
 
-tamis_status tamis_narrow_phase(tamis_pairs* pairs, const tamis_pair* list, size_t count, const tamis_step* step,
-                                tamis_pair_result* results, size_t result_size) {
+tamis_status tamis_narrow_phase(tamis_pairs* pairs, const tamis_feature_pair* list, size_t count,
+                                const tamis_step* step, tamis_pair_result* results, size_t result_size) {
   return with_object(pairs, [&](const tamis::PairOptions& own) {
     const tamis_step given = read_sized(step, "step");
     const tamis::PairOptions options = options_for(given, own);

@@ -21,17 +21,17 @@ inline PairOptions options_for(const tamis_step& given, PairOptions options) {
   return options;
 }
 
-inline Pair pair_of(const tamis_pair& given) {
-  Pair pair;
+inline FeaturePair pair_of(const tamis_feature_pair& given) {
+  FeaturePair pair;
   // A number that is no kind must not become one when it is cut to a byte.
   pair.kind = static_cast<PairKind>(given.kind >= 0 && given.kind < 255 ? given.kind : 255);
   std::copy_n(given.vertices, 4, pair.vertices.begin());
   return pair;
 }
 
-inline std::vector<Pair> list_of(const tamis_pair* list, std::size_t count) {
+inline std::vector<FeaturePair> list_of(const tamis_feature_pair* list, std::size_t count) {
   check_count(count, "count");
-  std::vector<Pair> pairs(count);
+  std::vector<FeaturePair> pairs(count);
   if (count > 0) std::transform(&required(list, "list"), list + count, pairs.begin(), pair_of);
   return pairs;
 }

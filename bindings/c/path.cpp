@@ -29,11 +29,11 @@ std::size_t vertices(int32_t count) {
   return static_cast<std::size_t>(count);
 }
 
-std::vector<Chain> chains_of(const tamis_rigid_path_input& input) {
+std::vector<RigidChain> chains_of(const tamis_rigid_path_input& input) {
   check_count(input.body_count, "body_count");
   const std::size_t* counts = array(input.links_of_body, input.body_count, "links_of_body");
-  std::vector<Chain> chains;
-  const tamis_link* link = input.links;
+  std::vector<RigidChain> chains;
+  const tamis_rigid_link* link = input.links;
   for (std::size_t body = 0; body < input.body_count; link += counts[body++]) {
     check_count(counts[body], "an entry of links_of_body");
     chains.push_back(chain_of(array(link, counts[body], "links"), counts[body]));
@@ -103,11 +103,11 @@ tamis_status write_pose(tamis_pose* pose, const double* position, const Make& ma
 
 /// Writes the chain that `make` returns, in a call without a handle.
 template <class Make>
-tamis_status write_chain(tamis_link* links, const Make& make) noexcept {
+tamis_status write_chain(tamis_rigid_link* links, const Make& make) noexcept {
   Outcome outcome;
   return attempt(outcome, [&] {
-    tamis_link* to = &required(links, "links");
-    for (const Link& link : make()) {
+    tamis_rigid_link* to = &required(links, "links");
+    for (const RigidLink& link : make()) {
       if (!is_finite(link.start) || !is_finite(link.end))
         throw InvalidPath("a pose or a turn is not finite: give finite numbers");
       *to++ = {to_c(link.start), to_c(link.end)};
@@ -120,21 +120,22 @@ tamis_status write_chain(tamis_link* links, const Make& make) noexcept {
 
 using namespace tamis::c;
 
-tamis_status tamis_turned(const tamis_pose* start, const double* turn, const double* end_position, const double* center,
-                          tamis_link* links) {
+tamis_status tamis_turned_chain(const tamis_pose* start, const double* turn, const double* end_position,
+                                const double* center, tamis_rigid_link* links) {
   return write_chain(links, [&] {
     const double &axis = required(turn, "turn"), &end = required(end_position, "end_position");
-    return tamis::turned(pose_of(required(start, "start")), point_of(&axis), point_of(&end), center_of(center));
+    return tamis::turned_chain(pose_of(required(start, "start")), point_of(&axis), point_of(&end), center_of(center));
   });
 }
 
-tamis_status tamis_between(const tamis_pose* start, const tamis_pose* end, const double* center, tamis_link* links) {
+tamis_status tamis_chain_between(const tamis_pose* start, const tamis_pose* end, const double* center,
+                                 tamis_rigid_link* links) {
   return write_chain(links, [&] {
-    return tamis::between(pose_of(required(start, "start")), pose_of(required(end, "end")), center_of(center));
+    return tamis::chain_between(pose_of(required(start, "start")), pose_of(required(end, "end")), center_of(center));
   });
 }
 
-tamis_status tamis_pose_at(const tamis_link* links, size_t count, double time, tamis_pose* pose) {
+tamis_status tamis_pose_at(const tamis_rigid_link* links, size_t count, double time, tamis_pose* pose) {
   Outcome outcome;
   return attempt(outcome, [&] {
     required(pose, "pose") = to_c(tamis::pose_at(chain_of(array(links, count, "links"), count), time));

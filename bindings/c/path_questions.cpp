@@ -13,21 +13,14 @@
 namespace tamis::c {
 namespace {
 
-tamis_path_options options_of(const tamis_path_options* given) {
-  tamis_path_options options = read_options(given);
-  if (options.tolerance == 0) options.tolerance = PairOptions().tolerance;
-  return options;
-}
-
 /// Runs `work(handle, path, options)`.
 template <class Work>
 tamis_status ask_on_path(tamis_detector* handle, const tamis_path* path, const tamis_path_options* options,
                          const Work& work) noexcept {
   return with(handle, [&](tamis_detector& h) {
     h.contacts.clear();
-    const tamis_path_options given = options_of(options);
-    work(h, made<InvalidPath>(path, "path"),
-         QueryOptions{separation(given.min_separation), at_start(given.at_start), given.tolerance});
+    const PathOptions given = path_options_of(read_options(options));
+    work(h, made<InvalidPath>(path, "path"), given);
   });
 }
 
@@ -38,10 +31,10 @@ template <std::size_t corners>
 tamis_status ask_all(tamis_path* handle, const tamis_path_options* options, const int32_t* vertices, std::size_t count,
                      tamis_pair_result* results, std::size_t result_size, Ask<corners> ask) noexcept {
   return with_object(handle, [&](const Path& path) {
-    const tamis_path_options given = options_of(options);
+    const tamis_path_options given = read_options(options);
     require_report(given.at_start);
     const PairOptions chosen{.min_separation = separation(given.min_separation).value_or(0),
-                             .tolerance = given.tolerance,
+                             .tolerance = path_options_of(given).tolerance,
                              .is_cancelled = cancelling(given.is_cancelled, given.user)};
     check_count(count, "count");
     std::vector<PairResult> answers;
@@ -62,7 +55,7 @@ using namespace tamis::c;
 
 tamis_status tamis_detector_contacts_on_path(tamis_detector* detector, const tamis_path* path,
                                              const tamis_path_options* options, size_t* count) {
-  return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::QueryOptions& q) {
+  return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::PathOptions& q) {
     keep_rows(handle.contacts, count, [&] { return handle.object->contacts(p, q); });
   });
 }
@@ -70,7 +63,7 @@ tamis_status tamis_detector_contacts_on_path(tamis_detector* detector, const tam
 tamis_status tamis_detector_earliest_on_path(tamis_detector* detector, const tamis_path* path,
                                              const tamis_path_options* options, double* toi_lower, double* toi_upper,
                                              size_t* count) {
-  return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::QueryOptions& q) {
+  return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::PathOptions& q) {
     const FirstTimes times = first_times(toi_lower, toi_upper, count);
     times.write(handle, handle.object->earliest(p, q));
   });
@@ -78,7 +71,7 @@ tamis_status tamis_detector_earliest_on_path(tamis_detector* detector, const tam
 
 tamis_status tamis_detector_is_free_on_path(tamis_detector* detector, const tamis_path* path,
                                             const tamis_path_options* options, int* is_free) {
-  return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::QueryOptions& q) {
+  return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::PathOptions& q) {
     required(is_free, "is_free") = handle.object->is_free(p, q) ? 1 : 0;
   });
 }

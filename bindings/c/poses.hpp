@@ -23,8 +23,8 @@ inline std::vector<Point> point_rows(const double* coordinates, std::size_t coun
   return result;
 }
 
-inline Chain chain_of(const tamis_link* links, std::size_t count) {
-  Chain chain;
+inline RigidChain chain_of(const tamis_rigid_link* links, std::size_t count) {
+  RigidChain chain;
   chain.reserve(count);
   for (std::size_t i = 0; i < count; ++i) chain.push_back({pose_of(links[i].start), pose_of(links[i].end)});
   return chain;

@@ -5,12 +5,7 @@
 namespace tamis::c {
 namespace {
 
-QueryOptions options_of(const tamis_query_options* given) {
-  const tamis_query_options asked = read_options(given);
-  QueryOptions options{separation(asked.min_separation), at_start(asked.at_start)};
-  if (asked.tolerance != 0) options.tolerance = asked.tolerance;
-  return options;
-}
+PoseOptions at_rest(int include_static) { return {.include_static = include_static != 0}; }
 
 tamis_earliest earliest_of(const EarliestBodyContact& first) {
   tamis_earliest answer{first.toi_lower, first.toi_upper, first.contact ? 1 : 0, {}};
@@ -20,10 +15,10 @@ tamis_earliest earliest_of(const EarliestBodyContact& first) {
 
 /// Runs `work(handle, world, options)`.
 template <class Work>
-tamis_status ask(tamis_world* handle, const tamis_query_options* options, const Work& work) noexcept {
+tamis_status ask(tamis_world* handle, const tamis_path_options* options, const Work& work) noexcept {
   return with(handle, [&](tamis_world& h) {
     h.contacts.clear();
-    work(h, *h.object, options_of(options));
+    work(h, *h.object, path_options_of(read_options(options)));
   });
 }
 
@@ -32,30 +27,30 @@ tamis_status ask(tamis_world* handle, const tamis_query_options* options, const 
 
 using namespace tamis::c;
 
-tamis_status tamis_world_contacts(tamis_world* world, const tamis_query_options* options, size_t* count) {
-  return ask(world, options, [&](tamis_world& handle, tamis::World& w, const tamis::QueryOptions& q) {
+tamis_status tamis_world_contacts(tamis_world* world, const tamis_path_options* options, size_t* count) {
+  return ask(world, options, [&](tamis_world& handle, tamis::World& w, const tamis::PathOptions& q) {
     keep_rows(handle.contacts, count, [&] { return w.contacts(q); });
   });
 }
 
-tamis_status tamis_world_first_contacts(tamis_world* world, const tamis_query_options* options, size_t* count) {
-  return ask(world, options, [&](tamis_world& handle, tamis::World& w, const tamis::QueryOptions& q) {
+tamis_status tamis_world_first_contacts(tamis_world* world, const tamis_path_options* options, size_t* count) {
+  return ask(world, options, [&](tamis_world& handle, tamis::World& w, const tamis::PathOptions& q) {
     keep_rows(handle.contacts, count, [&] { return w.first_contacts(q); });
   });
 }
 
-tamis_status tamis_world_earliest(tamis_world* world, const tamis_query_options* options, double* toi_lower,
+tamis_status tamis_world_earliest(tamis_world* world, const tamis_path_options* options, double* toi_lower,
                                   double* toi_upper, size_t* count) {
-  return ask(world, options, [&](tamis_world& handle, tamis::World& w, const tamis::QueryOptions& q) {
+  return ask(world, options, [&](tamis_world& handle, tamis::World& w, const tamis::PathOptions& q) {
     const FirstTimes times = first_times(toi_lower, toi_upper, count);
     times.write(handle, w.earliest(q));
   });
 }
 
 tamis_status tamis_world_earliest_many(tamis_world* world, const int32_t* bodies, size_t body_count,
-                                       const tamis_motions* motions, const tamis_query_options* options,
+                                       const tamis_motions* motions, const tamis_path_options* options,
                                        tamis_earliest* answers, size_t answer_size) {
-  return ask(world, options, [&](tamis_world&, tamis::World& w, const tamis::QueryOptions& q) {
+  return ask(world, options, [&](tamis_world&, tamis::World& w, const tamis::PathOptions& q) {
     const tamis_motions given = read_sized(motions, "motions");
     const auto named = bodies_of(bodies, body_count, "body_count");
     check_size(answer_size, sizeof(int32_t), "answer");
@@ -66,35 +61,35 @@ tamis_status tamis_world_earliest_many(tamis_world* world, const int32_t* bodies
   });
 }
 
-tamis_status tamis_world_is_free(tamis_world* world, const tamis_query_options* options, int* is_free) {
-  return ask(world, options, [&](tamis_world&, tamis::World& w, const tamis::QueryOptions& q) {
+tamis_status tamis_world_is_free(tamis_world* world, const tamis_path_options* options, int* is_free) {
+  return ask(world, options, [&](tamis_world&, tamis::World& w, const tamis::PathOptions& q) {
     required(is_free, "is_free") = w.is_free(q) ? 1 : 0;
   });
 }
 
-tamis_status tamis_world_safe_step(tamis_world* world, double keep, const tamis_query_options* options,
+tamis_status tamis_world_safe_step(tamis_world* world, double keep, const tamis_path_options* options,
                                    tamis_safe_step* answer) {
-  return ask(world, options, [&](tamis_world&, tamis::World& w, const tamis::QueryOptions& q) {
+  return ask(world, options, [&](tamis_world&, tamis::World& w, const tamis::PathOptions& q) {
     write_sized(tamis_safe_step{}, answer, "answer");  // refuses a bad `answer` before the work
     write_sized(answer_of(w.safe_step(keep, q)), answer, "answer");
   });
 }
 
-tamis_status tamis_world_pairs_within(tamis_world* world, double distance, size_t* count) {
+tamis_status tamis_world_pairs_within(tamis_world* world, double distance, int include_static, size_t* count) {
   return with(world, [&](tamis_world& handle) {
-    keep_rows(handle.near, count, [&] { return handle.object->pairs_within(distance); });
+    keep_rows(handle.near, count, [&] { return handle.object->pairs_within(distance, at_rest(include_static)); });
   });
 }
 
-tamis_status tamis_world_intersections(tamis_world* world, size_t* count) {
+tamis_status tamis_world_intersections(tamis_world* world, int include_static, size_t* count) {
   return with(world, [&](tamis_world& handle) {
-    keep_rows(handle.intersections, count, [&] { return handle.object->intersections(); });
+    keep_rows(handle.intersections, count, [&] { return handle.object->intersections(at_rest(include_static)); });
   });
 }
 
-tamis_status tamis_world_has_intersection(tamis_world* world, int* has_intersection) {
+tamis_status tamis_world_has_intersection(tamis_world* world, int include_static, int* has_intersection) {
   return with(world, [&](tamis_world& handle) {
-    required(has_intersection, "has_intersection") = handle.object->has_intersection() ? 1 : 0;
+    required(has_intersection, "has_intersection") = handle.object->has_intersection(at_rest(include_static)) ? 1 : 0;
   });
 }
 

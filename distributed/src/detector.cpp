@@ -5,8 +5,8 @@
 #include "distributed/src/first_of_all.hpp"
 #include "distributed/src/same_on_all.hpp"
 #include "distributed/src/searches.hpp"
+#include "numbers/busy_guard.hpp"
 #include "numbers/floating_point_state.hpp"
-#include "tamis/busy_guard.hpp"
 #include "tamis/distributed.hpp"
 #include "tamis/error.hpp"
 
@@ -55,16 +55,16 @@ struct Detector::State {
     const auto ask = [&](LocalSearch& search) {
       const SafeStep safe = search.safe_step(keep, searches.asked());
       keep_first(first, safe);
-      upper = std::min(upper, safe.upper);
+      upper = std::min(upper, safe.toi_upper);
     };
     // The factor covers the rounding of a pair's own time (docs/numerics/steps.md, "Step lengths").
     searches.search_in_turn(ask, true, [&] {
-      const double until = soon_after(searches.communicator().least(first.lower)) * (1 + 0x1p-14);
+      const double until = soon_after(searches.communicator().least(first.toi_lower)) * (1 + 0x1p-14);
       return NearWithin{until / (1 - keep)};
     });
     const Stopwatch watch(searches.statistics().seconds.deliver);
     SafeStep answer = first_of_all(searches.communicator(), first);
-    if (keep == 0) answer.upper = searches.communicator().least(upper);
+    if (keep == 0) answer.toi_upper = searches.communicator().least(upper);
     return answer;
   }
 
@@ -99,7 +99,7 @@ Detector::~Detector() = default;
 Detector::Detector(Detector&&) noexcept = default;
 Detector& Detector::operator=(Detector&&) noexcept = default;
 
-const std::vector<Contact>& Detector::contacts(const Step& step, const QueryOptions& options) {
+std::span<const Contact> Detector::contacts(const Step& step, const QueryOptions& options) {
   const BusyGuard guard(state_->is_asked);
   const ComputingState computing_state;
   state_->ask("contacts", step, options, [&] { state_->find_contacts(); });

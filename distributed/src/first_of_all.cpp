@@ -33,7 +33,7 @@ EarliestContact first_of_all(Communicator& communicator, const EarliestContact& 
 
 SafeStep first_of_all(Communicator& communicator, const SafeStep& mine) {
   return first_of_all(
-      communicator, mine, [](const SafeStep& s) { return s.lower; },
+      communicator, mine, [](const SafeStep& s) { return s.toi_lower; },
       [](const SafeStep& s) -> const auto& { return s.pair; });
 }
 
@@ -47,7 +47,7 @@ void keep_first(EarliestContact& first, const EarliestContact& other) {
 }
 
 void keep_first(SafeStep& first, const SafeStep& other) {
-  const auto key = [](const SafeStep& s) { return std::tuple(s.lower, s.pair->kind, s.pair->vertices); };
+  const auto key = [](const SafeStep& s) { return std::tuple(s.toi_lower, s.pair->kind, s.pair->vertices); };
   if (other.pair && (!first.pair || key(other) < key(first))) first = other;
 }
 

@@ -11,7 +11,7 @@ void keep_first(EarliestContact& first, const EarliestContact& other);
 void keep_first(SafeStep& first, const SafeStep& other);
 
 /// Collective: the first answer of all ranks, by time, then kind and vertices. toi_upper is the least of all ranks; the
-/// `upper` of a safe step is that of its pair.
+/// `toi_upper` of a safe step is that of its pair.
 EarliestContact first_of_all(Communicator& communicator, const EarliestContact& mine);
 SafeStep first_of_all(Communicator& communicator, const SafeStep& mine);
 

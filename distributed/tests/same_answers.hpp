@@ -2,6 +2,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace tamis::test {
 
 Options one_thread();
 
-void expect_same(const std::vector<Contact>& one, const std::vector<Contact>& many, const std::string& what);
+void expect_same(std::span<const Contact> one, std::span<const Contact> many, const std::string& what);
 void expect_same(const EarliestContact& one, const EarliestContact& many, const std::string& what);
 void expect_same(const SafeStep& one, const SafeStep& many, const std::string& what);
 

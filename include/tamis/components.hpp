@@ -1,4 +1,4 @@
-// The connected components of a mesh (its objects), and the neighbours of each vertex.
+// The connected components of a mesh (its objects).
 #pragma once
 #include <vector>
 
@@ -15,12 +15,9 @@ struct Components {
   Index count = 0;
 };
 
-/// Faces and edges connect their vertices; a loose point is a component of its own. Time: nearly linear (union-find:
-/// Tarjan 1975).
-Components components_of(const Mesh& mesh);
-
-/// One row a vertex: the vertices to which an edge joins it. Throws InvalidMesh if there are more than 2^30 - 1 edges.
-/// Time: linear.
-IndexRows neighbours_of(const Mesh& mesh);
+/// Finds the connected components. Faces and edges connect their vertices; a loose point is a component of its own.
+/// Time: nearly linear (union-find: Tarjan 1975).
+/// Returns the component of each vertex.
+[[nodiscard]] Components components_of(const Mesh& mesh);
 
 }  // namespace tamis

@@ -18,7 +18,7 @@ enum class PairKind : std::uint8_t { vertex_face, edge_edge, vertex_edge, vertex
 inline constexpr std::size_t kPairKinds = 4;
 
 /// Returns "vf", "ee", "ve" or "vv", as in files and on the command line.
-std::string_view name_of(PairKind);
+[[nodiscard]] std::string_view name_of(PairKind);
 
 /// How sure a reported contact is. All contacts of straight motion are certified; curved motion (Path) has both kinds.
 enum class Certainty : std::uint8_t {
@@ -57,15 +57,17 @@ struct Contact {
 /// Returns both features of a pair, the first one first: of a face its place in Mesh::faces(), of an edge its place in
 /// Mesh::edges(), of a vertex its index. For callers who keep data by feature: Contact and NearPair name vertices.
 /// Mesh::edges() has an order of its own, which another library's list of edges need not have: Mesh::find_edge leads
-/// from one to the other. Throws InvalidMesh if the mesh has no such vertex, edge or face (a face with its vertices in
+/// from one to the other.
+/// Throws InvalidMesh if the mesh has no such vertex, edge or face (a face with its vertices in
 /// another order is not found), or if there is no such kind.
-std::array<Index, 2> features_of(const Mesh& mesh, PairKind kind, const std::array<Index, 4>& vertices);
+[[nodiscard]] std::array<Index, 2> features_of(const Mesh& mesh, PairKind kind, const std::array<Index, 4>& vertices);
 
 /// Returns a signed weight for each of a pair's vertices; the four add up to 0. The first feature's vertices, weighted
 /// and summed, give its point; the second feature's give its point, negative. So the sum over all is the vector from
 /// the second point to the first. vf: 1, u+v-1, -u, -v; ee: 1-u, u, v-1, -v; ve: 1, u-1, -u, 0; vv: 1, -1, 0, 0. `u`
-/// and `v`: as in a Contact, a NearPair or a PairResult. Throws Error if there is no such kind.
-std::array<double, 4> weights_of(PairKind kind, double u, double v);
+/// and `v`: as in a Contact, a NearPair or a PairResult.
+/// Throws Error if there is no such kind.
+[[nodiscard]] std::array<double, 4> weights_of(PairKind kind, double u, double v);
 
 /// Answer to "how far may the step go?".
 struct EarliestContact {

@@ -81,8 +81,9 @@ inline std::vector<Edge> edges_of(const Index* indices, std::size_t count, std::
   return from_matrix::rows_of<Edge>(indices, count, stride);
 }
 
-/// A copy of an n x 3 matrix of positions, in any layout. Throws InvalidStep if the matrix has another number of
-/// columns.
+/// Copies an n x 3 matrix of positions, in any layout.
+/// Returns one point a row.
+/// Throws InvalidStep if the matrix has another number of columns.
 template <AnyMatrix M>
 std::vector<Point> points_of(const M& matrix) {
   from_matrix::require_columns<InvalidStep>(matrix, 3, "positions");
@@ -93,7 +94,7 @@ std::vector<Point> points_of(const M& matrix) {
   }
   return points;
 }
-/// A copy of a range of points, such as Eigen::Vector3f or std::array<float, 3>.
+/// Copies a range of points, such as Eigen::Vector3f or std::array<float, 3>.
 template <ContiguousRange R>
 std::vector<Point> points_of(const R& points) {
   std::vector<Point> copies;

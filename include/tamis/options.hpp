@@ -23,12 +23,13 @@ enum class AtStart : std::uint8_t {
   fail,  ///< throws InvalidStep, which names the first such pair
 };
 
-/// From names to values and back; names as on the command line. Throw InvalidOptions, which lists the choices, if there
-/// is no such name.
-Isa isa_from_name(std::string_view name);
-AtStart at_start_from_name(std::string_view name);
-std::string_view name_of(Isa);
-std::string_view name_of(AtStart);
+/// Return the value with this name, as on the command line.
+/// Throw InvalidOptions, which lists the choices, if there is no such name.
+[[nodiscard]] Isa isa_from_name(std::string_view name);
+[[nodiscard]] AtStart at_start_from_name(std::string_view name);
+/// Return the name of a value.
+[[nodiscard]] std::string_view name_of(Isa);
+[[nodiscard]] std::string_view name_of(AtStart);
 /// name_of returns this for a value outside the enumeration.
 inline constexpr std::string_view kUnnamed = "unknown";
 
@@ -51,11 +52,15 @@ struct PairFilter {
   /// never count. 2 also leaves out features that an edge connects, and so on. Tested after `accepts`, only for pairs
   /// that would be in the answer.
   int rings = 1;
-  /// Leaves out pairs within one group (no self-contact). `group_of_vertex`: as above; memory grows with the square of
-  /// the number of groups. Throws InvalidOptions if a group is 2^31 - 1.
-  static PairFilter no_self_contact(std::vector<Index> group_of_vertex);
+  /// Leaves out pairs within one group (no self-contact). `group_of_vertex`: as above. Memory grows with the square of
+  /// the number of groups.
+  /// Returns such a filter.
+  /// Throws InvalidOptions if a group is 2^31 - 1.
+  [[nodiscard]] static PairFilter no_self_contact(std::vector<Index> group_of_vertex);
   /// Leaves out pairs of two static groups, and pairs within a static group. `is_static`: one flag a group.
-  static PairFilter no_static_pairs(std::vector<Index> group_of_vertex, const std::vector<bool>& is_static);
+  /// Returns such a filter.
+  [[nodiscard]] static PairFilter no_static_pairs(std::vector<Index> group_of_vertex,
+                                                  const std::vector<bool>& is_static);
 };
 
 /// What a detector is made with. Every member has an initializer, so that {.threads = 1} compiles without a warning.
@@ -77,15 +82,25 @@ struct Options {
   std::function<bool()> is_cancelled = nullptr;
 };
 
-/// Options of one question: detector.contacts(step, {.min_separation = 1e-3}).
+/// Options of one question about a step: detector.contacts(step, {.min_separation = 1e-3}).
 struct QueryOptions {
-  /// In place of Options::min_separation, for this question alone (an activation distance, for example). One hierarchy
+  /// Replaces Options::min_separation for this question alone (an activation distance, for example). One hierarchy
   /// serves all separations.
   std::optional<double> min_separation = {};
+  AtStart at_start = AtStart::report;
+};
+
+/// Options of one question about a path, or about a world, whose bodies may turn.
+struct PathOptions {
+  std::optional<double> min_separation = {};  ///< as in QueryOptions
   /// On a path, a pair counts as touching at t=0 if it cannot be proven apart there.
   AtStart at_start = AtStart::report;
-  /// Only for paths: the widest bracket of a contact, a fraction of the step in (0, 1]. None: 1e-9.
-  std::optional<double> tolerance = {};
+  double tolerance = 1e-9;  ///< the widest bracket of a contact, a fraction of the step in (0, 1]
+};
+
+/// Options of one question about the bodies of a world where they are at t=0.
+struct PoseOptions {
+  bool include_static = false;  ///< also ask about two bodies that are both Static
 };
 
 }  // namespace tamis

@@ -29,40 +29,50 @@ struct PairOptions {
   /// The latest time of interest, in [0,1]: a pair that is proven apart until then counts as free. The answers about
   /// other pairs do not depend on it.
   double latest = 1;
-  double tolerance = 1e-9;  ///< for a path: the widest bracket of a contact, a fraction of the step in (0, 1]
-  int threads = 0;          ///< for a list, as in Options; 0: as many as the caller's oneTBB arena gives
-  Isa isa = Isa::best;      ///< for a list; changes speed only
+  double tolerance = PathOptions().tolerance;  ///< for a path, as in PathOptions
+  int threads = 0;      ///< for a list, as in Options; 0: as many as the caller's oneTBB arena gives
+  Isa isa = Isa::best;  ///< for a list; changes speed only
   /// For a list or a path, as in Options: asked again and again; once it returns true, the call throws Cancelled.
   std::function<bool()> is_cancelled = nullptr;
 };
 
-/// A vertex p against a face a b c, each point moving on a straight line; the arrays hold p a b c. May be called from
-/// several threads. Throws InvalidStep on NaN or infinity, InvalidOptions on an option outside its range.
-PairResult vertex_face(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& = {});
-/// Edge (0,1) against edge (2,3); otherwise the same.
-PairResult edge_edge(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& = {});
-/// A point against a segment: p, then its ends a b; otherwise the same.
-PairResult vertex_edge(const std::array<Point, 3>& start, const std::array<Point, 3>& end, const PairOptions& = {});
-/// Two points; otherwise the same.
-PairResult vertex_vertex(const std::array<Point, 2>& start, const std::array<Point, 2>& end, const PairOptions& = {});
+/// Decides a vertex p against a face a b c, each point moving on a straight line; the arrays hold p a b c. May be
+/// called from several threads. Returns whether and when they touch. Throws InvalidStep on NaN or infinity,
+/// InvalidOptions on an option outside its range.
+[[nodiscard]] PairResult vertex_face(const std::array<Point, 4>& start, const std::array<Point, 4>& end,
+                                     const PairOptions& = {});
+/// Decides edge (0,1) against edge (2,3); otherwise the same.
+[[nodiscard]] PairResult edge_edge(const std::array<Point, 4>& start, const std::array<Point, 4>& end,
+                                   const PairOptions& = {});
+/// Decides a point against a segment: p, then its ends a b; otherwise the same.
+[[nodiscard]] PairResult vertex_edge(const std::array<Point, 3>& start, const std::array<Point, 3>& end,
+                                     const PairOptions& = {});
+/// Decides two points; otherwise the same.
+[[nodiscard]] PairResult vertex_vertex(const std::array<Point, 2>& start, const std::array<Point, 2>& end,
+                                       const PairOptions& = {});
 
 /// One pair of a list: what a broad phase hands on.
-struct Pair {
+struct FeaturePair {
   PairKind kind;
   /// Rows of the step's positions, in the order of the functions above: p a b c, a0 a1 b0 b1, p a b, or p q. Entries
   /// that a kind does not use are not read.
   std::array<Index, 4> vertices;
 };
 
-/// The narrow phase of a list: `results[i]` is the answer about pairs[i], bit for bit that of the function for one
-/// pair, many times faster. The positions may have any number of rows, the same at both ends; only rows that pairs name
-/// are read. Throws InvalidStep, naming the first such pair, if a kind does not exist, an index is no row, or a
+/// Decides a list of pairs: the narrow phase. Writes to `results[i]` the answer about pairs[i], bit for bit that of the
+/// function for one pair, many times faster. The positions may have any number of rows, the same at both ends; only
+/// rows that pairs name are read.
+/// Throws InvalidStep, naming the first such pair, if a kind does not exist, an index is no row, or a
 /// coordinate is not finite; also unless there are as many results as pairs. Throws InvalidOptions on an option outside
 /// its range.
-void narrow_phase(std::span<const Pair> pairs, const Step& step, std::span<PairResult> results,
+void narrow_phase(std::span<const FeaturePair> pairs, const Step& step, std::span<PairResult> results,
                   const PairOptions& = {});
-std::vector<PairResult> narrow_phase(std::span<const Pair> pairs, const Step& step, const PairOptions& = {});
-/// The same for pairs of one kind that are given as points: four, three or two a pair, one pair behind the other.
+/// Decides a list of pairs.
+/// Returns an answer for each pair.
+/// Throws as above.
+[[nodiscard]] std::vector<PairResult> narrow_phase(std::span<const FeaturePair> pairs, const Step& step,
+                                                   const PairOptions& = {});
+/// Decides pairs of one kind that are given as points: four, three or two a pair, one pair behind the other.
 /// Throws InvalidStep unless both ends have as many points as `results` needs.
 void narrow_phase(PairKind kind, std::span<const Point> start, std::span<const Point> end,
                   std::span<PairResult> results, const PairOptions& = {});

@@ -8,14 +8,16 @@
 
 namespace tamis {
 
-/// The distance of a pair in one pose, such as the start of a step, with weights and direction, as
-/// Detector::pairs_within returns them. Throws InvalidStep as narrow_phase does.
-NearPair distance_of(const Pair& pair, const Positions& positions);
+/// Computes the distance of a pair in one pose, such as the start of a step.
+/// Returns it with weights and direction, as Detector::pairs_within does.
+/// Throws InvalidStep as narrow_phase does.
+[[nodiscard]] NearPair distance_of(const FeaturePair& pair, const Positions& positions);
 
-/// How far may one pair go so that it keeps at least the fraction `keep` of its distance at t=0? The distance that
-/// counts is what exceeds the minimum separation. As Detector::safe_step, for one pair. It searches up to
-/// options.latest; a pair that keeps its fraction until then has `lower` = options.latest. Throws InvalidOptions unless
-/// 0 <= keep < 1, InvalidStep as narrow_phase does.
-SafeStep safe_step(const Pair& pair, const Step& step, double keep = 0.1, const PairOptions& options = {});
+/// Finds how far one pair may go so that it keeps at least the fraction `keep` of its distance at t=0, as
+/// Detector::safe_step. The distance that counts is what exceeds the minimum separation. Searches up to options.latest.
+/// Returns a bracket of the time. A pair that keeps its fraction until options.latest has this as `toi_lower`.
+/// Throws InvalidOptions unless 0 <= keep < 1, InvalidStep as narrow_phase does.
+[[nodiscard]] SafeStep safe_step(const FeaturePair& pair, const Step& step, double keep = 0.1,
+                                 const PairOptions& options = {});
 
 }  // namespace tamis

@@ -62,18 +62,19 @@ struct CarriedPath {
   std::function<Point(double time, const Point& direction)> to_world;
 };
 
-/// A vertex p against a face a b c that move on a path; `vertices` holds their numbers in the path. As vertex_face for
-/// straight motion: free is proven, and a certified contact has a bracket no wider than the tolerance. A pair that
-/// double-double arithmetic cannot decide (a touch without crossing, a crossing exactly on an edge) is an unresolved
-/// contact; with a separation a pair is unresolved if doubles cannot decide it (docs/numerics/curves.md, "Curved
-/// motion"). Throws InvalidPath if the path breaks its promises or has no such vertex, InvalidOptions on an option
+/// Decides a vertex p against a face a b c that move on a path; `vertices` holds their numbers in the path.
+/// Returns the answer as vertex_face for straight motion: free is proven, and a certified contact has a bracket no
+/// wider than the tolerance. A pair that double-double arithmetic cannot decide (a touch without crossing, a crossing
+/// exactly on an edge) is an unresolved contact. With a separation a pair is unresolved if doubles cannot decide it
+/// (docs/numerics/curves.md, "Curved motion").
+/// Throws InvalidPath if the path breaks its promises or has no such vertex, InvalidOptions on an option
 /// outside its range.
-PairResult vertex_face(const Path& path, const std::array<Index, 4>& vertices, const PairOptions& = {});
-/// Edge (0,1) against edge (2,3); otherwise the same.
-PairResult edge_edge(const Path& path, const std::array<Index, 4>& vertices, const PairOptions& = {});
-/// A point against a segment; otherwise the same.
-PairResult vertex_edge(const Path& path, const std::array<Index, 3>& vertices, const PairOptions& = {});
-/// Two points; otherwise the same.
-PairResult vertex_vertex(const Path& path, const std::array<Index, 2>& vertices, const PairOptions& = {});
+[[nodiscard]] PairResult vertex_face(const Path& path, const std::array<Index, 4>& vertices, const PairOptions& = {});
+/// Decides edge (0,1) against edge (2,3); otherwise the same.
+[[nodiscard]] PairResult edge_edge(const Path& path, const std::array<Index, 4>& vertices, const PairOptions& = {});
+/// Decides a point against a segment; otherwise the same.
+[[nodiscard]] PairResult vertex_edge(const Path& path, const std::array<Index, 3>& vertices, const PairOptions& = {});
+/// Decides two points; otherwise the same.
+[[nodiscard]] PairResult vertex_vertex(const Path& path, const std::array<Index, 2>& vertices, const PairOptions& = {});
 
 }  // namespace tamis

@@ -14,43 +14,50 @@ struct Pose {
   Point rotation{0, 0, 0};
 };
 
-/// The pose of a rotation matrix (given by its rows) or a quaternion (w x y z), as engines keep them, also in floats.
-/// Both are rotations with rounding errors: the nearest rotation is taken. Throws InvalidPath if they are off by more
-/// than rounding: an entry of R R^T - I, or |q|^2 - 1, beyond 1e-4; a reflection; numbers that are not finite. The
-/// rotation vector is rounded to doubles: points are off by less than 1e-15 of their distance from the origin of the
-/// body.
-Pose pose_of_matrix(const std::array<Point, 3>& rows, const Point& position);
-Pose pose_of_quaternion(const std::array<double, 4>& quaternion, const Point& position);
+/// Convert a rotation matrix (given by its rows) or a quaternion (w x y z), as engines keep them, also in floats. Both
+/// are rotations with rounding errors: the nearest rotation is taken. The rotation vector is rounded to doubles: points
+/// are off by less than 1e-15 of their distance from the origin of the body.
+/// Return the pose.
+/// Throw InvalidPath if they are off by more than rounding: an entry of R R^T - I, or |q|^2 - 1, beyond 1e-4; a
+/// reflection; numbers that are not finite.
+[[nodiscard]] Pose pose_of_matrix(const std::array<Point, 3>& rows, const Point& position);
+[[nodiscard]] Pose pose_of_quaternion(const std::array<double, 4>& quaternion, const Point& position);
 
 /// A pose whose position and rotation vector go linearly from `start` (t=0) to `end` (t=1). Any angle.
-struct Link {
+struct RigidLink {
   Pose start = {};
   Pose end = {};
 };
 
 /// Outermost link first: a point of the body goes through the last link first. Empty: the body stays where its points
 /// are given.
-using Chain = std::vector<Link>;
+using RigidChain = std::vector<RigidLink>;
 
-/// One link: rotation vector and position are linear in t, from one pose to the other.
-Chain interpolated(const Pose& start, const Pose& end);
-/// From `start` the body turns at constant speed about the fixed axis of `turn`, by |turn| radians, while one point of
-/// the body, `center` in its frame, goes straight to `end_position`: engines take the center of mass. Any angle: 2 pi
-/// is a full turn. With a center other than the origin, places are off by some 1e-15 of the center's distance from the
-/// body's origin, and of the body's distance from the world's origin.
-Chain turned(const Pose& start, const Point& turn, const Point& end_position, const Point& center = {0, 0, 0});
-/// From one pose to the other by the shorter turn about a fixed axis, at constant speed (slerp), while `center` goes
-/// straight. The turn is computed in doubles: the end is reached within some 1e-15 of the body's size.
-Chain between(const Pose& start, const Pose& end, const Point& center = {0, 0, 0});
-/// The pose of a chain's body at `time`, for example after a step that is safe until then. For one link: its pose,
-/// linear in time. For more links: a pose that turns by at most pi, off by some 1e-15. Throws InvalidPath on numbers
-/// that are not finite, and on a time outside [0,1].
-Pose pose_at(const Chain& chain, double time);
-/// For engines that blend quaternions and normalize them (nlerp): they go the way of `between` at another speed. No
-/// point is ever farther from its place by `between` than the result times the point's distance from the center. A
-/// motion that is free by `between`, with this deviation as additional separation, is free by nlerp. Throws InvalidPath
-/// on numbers that are not finite.
-double nlerp_deviation(const Pose& start, const Pose& end);
+/// Makes a chain of one link: rotation vector and position are linear in t, from one pose to the other.
+/// Returns the chain.
+[[nodiscard]] RigidChain interpolated_chain(const Pose& start, const Pose& end);
+/// Makes a chain that turns from `start` at constant speed about the fixed axis of `turn`, by |turn| radians, while one
+/// point of the body, `center` in its frame, goes straight to `end_position`: engines take the center of mass. Any
+/// angle: 2 pi is a full turn. With a center other than the origin, places are off by some 1e-15 of the center's
+/// distance from the body's origin, and of the body's distance from the world's origin.
+/// Returns a chain of two links.
+[[nodiscard]] RigidChain turned_chain(const Pose& start, const Point& turn, const Point& end_position,
+                                      const Point& center = {0, 0, 0});
+/// Makes a chain from one pose to the other by the shorter turn about a fixed axis, at constant speed (slerp), while
+/// `center` goes straight. The turn is computed in doubles: the end is reached within some 1e-15 of the body's size.
+/// Returns a chain of two links.
+[[nodiscard]] RigidChain chain_between(const Pose& start, const Pose& end, const Point& center = {0, 0, 0});
+/// Computes the pose of a chain's body at `time`, for example after a step that is safe until then.
+/// Returns for one link its pose, linear in time. For more links a pose that turns by at most pi, off by some 1e-15.
+/// Throws InvalidPath on numbers that are not finite, and on a time outside [0,1].
+[[nodiscard]] Pose pose_at(const RigidChain& chain, double time);
+/// Bounds the deviation of engines that blend quaternions and normalize them (nlerp): they go the way of
+/// `chain_between` at another speed. A motion that is free by `chain_between`, with this deviation as additional
+/// separation, is free by nlerp.
+/// Returns a factor: no point is ever farther from its place by `chain_between` than the factor times the point's
+/// distance from the center.
+/// Throws InvalidPath on numbers that are not finite.
+[[nodiscard]] double nlerp_deviation(const Pose& start, const Pose& end);
 
 /// Bodies that each move on a chain of links; a vertex may at the same time go straight in its body's frame. Positions
 /// use rotations rounded to doubles, with a proven error. Where that is too coarse, interval arithmetic in doubles or
@@ -59,9 +66,10 @@ double nlerp_deviation(const Pose& start, const Pose& end);
 class RigidPath final : public Path {
  public:
   /// `rest`: each vertex in its body's own frame. `body_of_vertex`: one a vertex, in [0, chains.size()). `rest_end`:
-  /// where each vertex is in its body's frame at t=1; empty if all stay. Throws InvalidPath on sizes that do not fit
+  /// where each vertex is in its body's frame at t=1; empty if all stay.
+  /// Throws InvalidPath on sizes that do not fit
   /// and on numbers that are not finite.
-  RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<Chain> chains,
+  RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<RigidChain> chains,
             std::vector<Point> rest_end = {});
   /// Copies share one motion. Moving copies: the source keeps it.
   RigidPath(const RigidPath&) = default;

@@ -1,6 +1,5 @@
 // Tamis: every contact between moving, deforming triangle meshes.
 #pragma once
-#include "tamis/busy_guard.hpp"
 #include "tamis/components.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/detector.hpp"
@@ -17,5 +16,5 @@
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"
 #include "tamis/step_length.hpp"
-#include "tamis/stored.hpp"
+#include "tamis/stored_type.hpp"
 #include "tamis/world.hpp"

@@ -22,36 +22,38 @@ struct BodyShape;
 /// number of bodies. Copies share all of it. Moving copies: the source keeps it.
 class Shape {
  public:
-  /// `points`: one row a vertex. `isa`: the instruction set that builds the hierarchy; changes speed only, as in
-  /// Options. Throws InvalidMesh unless there is one point a vertex and the points of Mesh::points() are finite,
-  /// InvalidOptions if this machine lacks the instruction set.
+  /// Builds the hierarchy. `points`: one row a vertex. `isa`: the instruction set; changes speed only, as in Options.
+  /// Throws InvalidMesh unless there is one point a vertex and the points of Mesh::points() are finite, InvalidOptions
+  /// if this machine lacks the instruction set.
   Shape(Mesh mesh, std::vector<Point> points, Isa isa = Isa::best);
   Shape(const Shape&) = default;
   Shape& operator=(const Shape&) = default;
 
-  const Mesh& mesh() const;
-  const std::vector<Point>& points() const;
-  /// What the shape holds besides mesh and points.
-  std::uint64_t memory_bytes() const;
+  /// Returns the mesh.
+  [[nodiscard]] const Mesh& mesh() const;
+  /// Returns the points at rest.
+  [[nodiscard]] const std::vector<Point>& points() const;
+  /// Returns the memory that the shape holds besides mesh and points.
+  [[nodiscard]] std::uint64_t memory_bytes() const;
 
  private:
   friend class World;
   std::shared_ptr<const BodyShape> shape_;
 };
 
-/// The body stays at its pose. No question looks at two static bodies.
+/// The body stays at its pose. Questions skip two static bodies, unless PoseOptions::include_static is set.
 struct Static {
   Pose pose = {};
 };
 
-/// The body moves as a whole, by a chain of links (tamis/rigid_path.hpp: `interpolated`, `turned`, `between`). If no
-/// rotation of the chain changes, each vertex goes straight, from its start rounded to doubles to its end rounded to
-/// doubles. In one step the links together turn by no more than 4096 radians. No rotation vector, not even of a static
-/// body, is longer than 2^32 (docs/worlds.md, "How far a body may turn").
-/// Bodies whose chains begin with equal links move relative to each other by the links behind these alone: bodies that
-/// one gripper holds are told its links, then a constant one each.
+/// The body moves as a whole, by a chain of links (tamis/rigid_path.hpp: `interpolated_chain`, `turned_chain`,
+/// `chain_between`). If no rotation of the chain changes, each vertex goes straight, from its start rounded to doubles
+/// to its end rounded to doubles. In one step the links together turn by no more than 4096 radians. No rotation vector,
+/// not even of a static body, is longer than 2^32 (docs/worlds.md, "How far a body may turn"). Bodies whose chains
+/// begin with equal links move relative to each other by the links behind these alone: bodies that one gripper holds
+/// are told its links, then a constant one each.
 struct Rigid {
-  Chain chain;
+  RigidChain chain;
 };
 
 /// Each vertex goes straight from `start` (t=0) to `end` (t=1), in the frame of the world. The body may touch itself.
@@ -88,8 +90,8 @@ struct BodyPoints {
   double error = 0;           ///< no coordinate of a vertex in Mesh::points() is off by more than this
 };
 struct BodyStep {
-  double lower = 1;  ///< as in SafeStep
-  double upper = 1;
+  double toi_lower = 1;  ///< as in SafeStep
+  double toi_upper = 1;
   std::optional<BodyNearPair> pair;
 };
 
@@ -103,83 +105,111 @@ struct BodyStep {
 /// threads, on the instruction set, or on earlier questions.
 class World {
  public:
-  /// Of the options, `threads`, `min_separation`, `isa`, `is_cancelled` and the filter's `rings` count; everything else
-  /// is set by body. Throws InvalidOptions, also for an instruction set that this machine lacks.
+  /// Makes a world without bodies. Of the options, `threads`, `min_separation`, `isa`, `is_cancelled` and the filter's
+  /// `rings` count; everything else is set by body.
+  /// Throws InvalidOptions, also for an instruction set that this machine lacks.
   explicit World(Options options = {});
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
 
+  /// Adds a body.
+  /// Returns its number.
   /// Throws InvalidStep if a deforming body has not one point for each vertex of the shape at each end, if numbers are
   /// not finite, or if a body turns too far (Rigid).
   BodyId add(const Shape& shape, BodyMotion motion);
-  /// A body for each motion, or none of them.
+  /// Adds a body for each motion, or none of them.
+  /// Returns their numbers.
+  /// Throws as `add`.
   std::vector<BodyId> add_many(const Shape& shape, std::vector<BodyMotion> motions);
-  /// Tells a body its motion from now on, of the same kind or another. Throws as `add`. All functions that name a body
-  /// throw InvalidOptions if the world never had it, or has it no more.
+  /// Tells a body its motion from now on, of the same kind or another.
+  /// Throws as `add`. All functions that name a body throw InvalidOptions if the world never had it, or has it no more.
   void move(BodyId body, BodyMotion motion);
-  /// The same for each of some bodies, all or none. Throws InvalidOptions, too, if a body is named twice, or if there
-  /// are not as many motions.
+  /// Tells each of some bodies its motion, all or none.
+  /// Throws as `move`, and InvalidOptions if a body is named twice, or if there are not as many motions.
   void move_many(std::span<const BodyId> bodies, std::vector<BodyMotion> motions);
-  /// The body's last motion; valid until the next change of the world.
-  const BodyMotion& motion(BodyId body) const;
-  /// Where a body's vertices are at `time` in [0,1] of its motion, on the curves that questions are about: at a
-  /// contact's time, to draw the body or to compute a response. If the error is 0 these are the very points. Throws
-  /// InvalidOptions on a time outside [0,1].
-  BodyPoints points_at(BodyId body, double time) const;
+  /// Returns the body's last motion; valid until the next change of the world.
+  /// Throws InvalidOptions as `move`.
+  [[nodiscard]] const BodyMotion& motion(BodyId body) const;
+  /// Computes where a body's vertices are at `time` in [0,1] of its motion, on the curves that questions are about: at
+  /// a contact's time, to draw the body or to compute a response.
+  /// Returns the points and their error. If the error is 0 these are the very points.
+  /// Throws InvalidOptions on a time outside [0,1].
+  [[nodiscard]] BodyPoints points_at(BodyId body, double time) const;
+  /// Removes a body. Its number is not given again.
+  /// Throws InvalidOptions as `move`.
   void remove(BodyId body);
-  /// A body that is switched off takes no part in any question until it is switched on again. Bodies begin switched on.
+  /// Switches a body off or on. A body that is switched off takes no part in any question. Bodies begin switched on.
+  /// Throws InvalidOptions as `move`.
   void set_enabled(BodyId body, bool is_enabled);
-  /// Half of a body's thickness, in the unit of the positions; 0 at first. Two bodies are in contact where their
+  /// Sets half of a body's thickness, in the unit of the positions; 0 at first. Two bodies are in contact where their
   /// distance is at most the minimum separation plus both radii, and a deforming body with itself plus twice its own,
-  /// for every question but `intersections`. Throws InvalidOptions if it is negative or not finite; a question throws
-  /// InvalidOptions if the sum is more than any double.
+  /// for every question but `intersections`.
+  /// Throws InvalidOptions if it is negative or not finite. A question throws InvalidOptions if the sum is more than
+  /// any double.
   void set_radius(BodyId body, double radius);
-  /// Sets whether two bodies, or a deforming body with itself (a == b), may touch. At first all may, except two static
-  /// bodies and a body with itself that does not deform: to allow one of these throws InvalidOptions.
+  /// Sets whether two bodies, or a deforming body with itself (a == b), may touch. At first all may, except a body with
+  /// itself that does not deform.
+  /// Throws InvalidOptions to allow that exception.
   void set_may_touch(BodyId a, BodyId b, bool may_touch);
-  /// The same for each of some pairs, all or none.
+  /// Sets whether each of some pairs may touch, all or none.
+  /// Throws as for one pair.
   void set_may_touch(std::span<const std::array<BodyId, 2>> pairs, bool may_touch);
 
-  /// All contacts, sorted by kind, then bodies and vertices in the order of the features. If one of two bodies turns,
-  /// its contacts are answers about a Path (Detector): some may be unresolved, QueryOptions::tolerance counts, and
-  /// AtStart::ignore leaves a pair out until the first of the times in docs/worlds.md at which it is proven apart.
+  /// Finds all contacts. If one of two bodies turns, its contacts are answers about a Path (Detector): some may be
+  /// unresolved, PathOptions::tolerance counts, and AtStart::ignore leaves a pair out until the first of the times in
+  /// docs/worlds.md at which it is proven apart.
+  /// Returns the contacts sorted by kind, then bodies and vertices in the order of the features.
   /// Throws InvalidOptions, and with AtStart::fail InvalidStep.
-  std::vector<BodyContact> contacts(const QueryOptions& = {});
+  [[nodiscard]] std::vector<BodyContact> contacts(const PathOptions& = {});
   /// Finds the first contact of each pair of bodies, and of each deforming body with itself: of all `contacts` of the
   /// pair the one with the least toi_lower, and of several such the first by kind, then bodies and vertices. Costs
-  /// about as much as `earliest` where the same bodies meet, not as much as their contacts. Returns one contact for
-  /// each pair that touches, sorted by its smaller body, then by its greater one. Throws as `contacts`.
-  std::vector<BodyContact> first_contacts(const QueryOptions& = {});
-  EarliestBodyContact earliest(const QueryOptions& = {});
-  /// For planners, which move from configuration to configuration: `earliest` for each of many motions of some bodies,
-  /// while all others move as they were told. `motions`: for the first motion one entry for each of `bodies`, in their
-  /// order, then for the second, and so on. Threads share the motions, each with a copy of the world's bodies; each
-  /// answer has the bits that it has alone. Afterwards the bodies have the motions of before. Throws InvalidOptions if
-  /// a body does not exist or is named twice, or if the number of motions is no multiple of that of bodies; InvalidStep
-  /// as `add`, naming the motion.
-  std::vector<EarliestBodyContact> earliest_many(std::span<const BodyId> bodies, std::span<const BodyMotion> motions,
-                                                 const QueryOptions& = {});
-  bool is_free(const QueryOptions& = {});
+  /// about as much as `earliest` where the same bodies meet, not as much as their contacts.
+  /// Returns one contact for each pair that touches, sorted by its smaller body, then by its greater one.
+  /// Throws as `contacts`.
+  [[nodiscard]] std::vector<BodyContact> first_contacts(const PathOptions& = {});
+  /// Finds the first contact.
+  /// Returns a bracket of its time.
+  /// Throws as `contacts`.
+  [[nodiscard]] EarliestBodyContact earliest(const PathOptions& = {});
+  /// Finds the first contact of each of many motions of some bodies, while all others move as they were told: for
+  /// planners, which move from configuration to configuration. `motions`: for the first motion one entry for each of
+  /// `bodies`, in their order, then for the second, and so on. Threads share the motions, each with a copy of the
+  /// world's bodies. Afterwards the bodies have the motions of before.
+  /// Returns an answer for each motion, with the bits that it has alone.
+  /// Throws InvalidOptions if a body does not exist or is named twice, or if the number of motions is no multiple of
+  /// that of bodies. Throws InvalidStep as `add`, naming the motion.
+  [[nodiscard]] std::vector<EarliestBodyContact> earliest_many(std::span<const BodyId> bodies,
+                                                               std::span<const BodyMotion> motions,
+                                                               const PathOptions& = {});
+  /// Asks whether the motion of all bodies is free of contacts.
+  /// Returns true if that is proven.
+  /// Throws as `contacts`.
+  [[nodiscard]] bool is_free(const PathOptions& = {});
 
-  /// Pairs of features within `distance` plus both radii where all bodies are at t=0, rounded to doubles; sorted as
-  /// contacts. This question and the next two leave out two bodies that are both Static, even where they pass through
-  /// each other. To ask about them before the first step tell them Rigid{interpolated(pose, pose)}, ask, and tell them
-  /// Static again.
-  std::vector<BodyNearPair> pairs_within(double distance);
-  /// Edges that pass through triangles at t=0, sorted by bodies, edge and face; not of two Static bodies (see
-  /// `pairs_within`).
-  std::vector<BodyIntersection> intersections();
-  /// Is there any intersection? Ends at the first one; not of two Static bodies.
-  bool has_intersection();
+  /// Finds pairs of features within `distance` plus both radii where all bodies are at t=0, rounded to doubles. This
+  /// question and the next two skip two bodies that are both Static, even where they pass through each other, unless
+  /// PoseOptions::include_static is set: ask about all of them once, before the first step.
+  /// Returns the pairs sorted as contacts.
+  /// Throws InvalidOptions unless `distance` is finite and >= 0.
+  [[nodiscard]] std::vector<BodyNearPair> pairs_within(double distance, const PoseOptions& = {});
+  /// Finds edges that pass through triangles at t=0.
+  /// Returns them sorted by bodies, edge and face.
+  [[nodiscard]] std::vector<BodyIntersection> intersections(const PoseOptions& = {});
+  /// Asks whether there is any intersection. Ends at the first one.
+  /// Returns true if there is one.
+  [[nodiscard]] bool has_intersection(const PoseOptions& = {});
 
-  /// How far all bodies may go, as Detector::safe_step. If one of two bodies turns, QueryOptions::tolerance counts, and
-  /// a pair that starts nearer to its separation than doubles can tell ends the step at once.
-  BodyStep safe_step(double keep = 0.1, const QueryOptions& = {});
+  /// Finds how far all bodies may go, as Detector::safe_step. If one of two bodies turns, PathOptions::tolerance
+  /// counts, and a pair that starts nearer to its separation than doubles can tell ends the step at once.
+  /// Returns a bracket of the time.
+  /// Throws InvalidOptions unless 0 <= keep < 1, and as `contacts`.
+  [[nodiscard]] BodyStep safe_step(double keep = 0.1, const PathOptions& = {});
 
-  /// The cost of the last question: sums over the detectors that it asked; `memory_bytes` does not count shapes. Throws
-  /// Busy while a question is answered.
-  const Statistics& statistics() const;
+  /// Returns the cost of the last question: sums over the detectors that it asked; `memory_bytes` does not count
+  /// shapes.
+  /// Throws Busy while a question is answered.
+  [[nodiscard]] const Statistics& statistics() const;
 
  private:
   struct State;

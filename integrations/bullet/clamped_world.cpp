@@ -183,12 +183,7 @@ void ClampedWorld::performDiscreteCollisionDetection() {
 }
 
 void ClampedWorld::set_overlapping_may_touch(bool may_touch) {
-  for (const auto& [a, b] : beginning_.overlapping) {
-    const Member& member = members_.at(a);
-    if (may_touch) bodies_.move(a, adapters::resting(member.pose));  // two bodies that both stay are refused
-    bodies_.set_may_touch(a, b, may_touch);
-    if (may_touch) bodies_.move(a, motion_at(*member.object, member.pose));
-  }
+  for (const auto& [a, b] : beginning_.overlapping) bodies_.set_may_touch(a, b, may_touch);
 }
 
 void ClampedWorld::integrateTransforms(btScalar seconds) {

@@ -47,7 +47,7 @@ constexpr int kFurtherQuestions = 3;
 /// the start to there is free, too.
 std::vector<Point> way_towards(Detector& detector, const std::vector<Point>& start, const std::vector<Point>& end) {
   const auto truncated = [&](const std::vector<Point>& from) {
-    return detector.truncate({from, end}, kKept, {.at_start = AtStart::ignore}, Stored::float32).positions;
+    return detector.truncate({from, end}, kKept, {.at_start = AtStart::ignore}, StoredType::float32).positions;
   };
   const std::vector<Point> first = truncated(start);
   std::vector<Point> reached = first;

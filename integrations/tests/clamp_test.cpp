@@ -130,7 +130,7 @@ TEST(Clamp, DecidesFewPairsOfFineBodies) {
   EXPECT_TRUE(world.is_free());
   EXPECT_GT(step.most, 0u);
   EXPECT_LT(step.most, 200u);
-  world.move(1, Rigid{between(start, end)});
+  world.move(1, Rigid{chain_between(start, end)});
   EXPECT_GT(world.contacts().size(), 2000u);
 }
 
@@ -280,7 +280,7 @@ TEST(Clamp, RefusesBodiesThatMeetWithoutBeingAskedToMove) {
   World world;
   Table step;
   world.add(plate(), Static{});
-  world.add(plate(), Rigid{between(at_height(1), at_height(-3))});
+  world.add(plate(), Rigid{chain_between(at_height(1), at_height(-3))});
   EXPECT_THROW((void)clamp(world, step, {}), InvalidStep);
 }
 

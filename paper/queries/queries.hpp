@@ -26,7 +26,7 @@ struct Query {
 struct RigidQuery {
   PairKind kind;
   std::array<Point, 4> points;  ///< in their bodies' frames; order as in Query
-  std::array<Link, 2> bodies;
+  std::array<RigidLink, 2> bodies;
   std::optional<bool> touches;
 
   RigidPath path() const;

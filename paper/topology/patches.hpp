@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "search/topology/rows.hpp"
 #include "tamis/mesh.hpp"
 
 namespace tamis::lab {

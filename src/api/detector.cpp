@@ -17,14 +17,8 @@ Detector::State& Detector::state() const {
   return *state_;
 }
 
-const std::vector<Contact>& Detector::contacts(const Step& step, const QueryOptions& options) & {
+std::span<const Contact> Detector::contacts(const Step& step, const QueryOptions& options) & {
   return LockedState(*this)->find_contacts(step, options);
-}
-
-void Detector::contacts(const Step& step, std::vector<Contact>& result, const QueryOptions& options) {
-  const LockedState state(*this);
-  state->find_contacts(step, options);
-  result.swap(state->found.contacts());
 }
 
 EarliestContact Detector::earliest(const Step& step, const QueryOptions& options) {
@@ -39,11 +33,11 @@ bool Detector::is_free(const Step& step, const QueryOptions& options) {
   return LockedState(*this)->is_free(step, options);
 }
 
-const std::vector<NearPair>& Detector::pairs_within(const Positions& positions, double distance) & {
+std::span<const NearPair> Detector::pairs_within(const Positions& positions, double distance) & {
   return LockedState(*this)->find_near(positions, distance);
 }
 
-const std::vector<Intersection>& Detector::intersections(const Positions& positions) & {
+std::span<const Intersection> Detector::intersections(const Positions& positions) & {
   return LockedState(*this)->find_intersections(positions, Question::all_contacts);
 }
 
@@ -51,19 +45,19 @@ bool Detector::has_intersection(const Positions& positions) {
   return !LockedState(*this)->find_intersections(positions, Question::is_free).empty();
 }
 
-const std::vector<Contact>& Detector::contacts(const Path& path, const QueryOptions& options) & {
+std::span<const Contact> Detector::contacts(const Path& path, const PathOptions& options) & {
   return LockedState(*this)->find_contacts(CutPath{path}, options);
 }
 
-EarliestContact Detector::earliest(const Path& path, const QueryOptions& options) {
+EarliestContact Detector::earliest(const Path& path, const PathOptions& options) {
   return LockedState(*this)->earliest(CutPath{path}, options);
 }
 
-bool Detector::is_free(const Path& path, const QueryOptions& options) {
+bool Detector::is_free(const Path& path, const PathOptions& options) {
   return LockedState(*this)->is_free(CutPath{path}, options);
 }
 
-TruncatedStep Detector::truncate(const Step& step, double keep, const QueryOptions& options, Stored stored) {
+TruncatedStep Detector::truncate(const Step& step, double keep, const QueryOptions& options, StoredType stored) {
   return LockedState(*this)->truncate(step, keep, options, stored);
 }
 

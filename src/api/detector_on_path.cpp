@@ -11,19 +11,19 @@ namespace tamis {
 
 /// Validates `asked`, then calls find(search) with the search of this question, and measures it.
 template <class Find>
-void Detector::State::on_path(const CutPath& path, double keep, const QueryOptions& asked, Question question,
+void Detector::State::on_path(const CutPath& path, double keep, const PathOptions& asked, Question question,
                               const BodyPairs* each_of, const Find& find) {
-  validate_of_path(asked);
-  const Query whole = asked_query({}, asked, question, each_of);
+  validate(asked);
+  const Query whole = asked_query({}, {asked.min_separation, asked.at_start}, question, each_of);
   const CallersPath callers(path.path);
   measure([&] {
-    const MeshOnPath on_path{callers, whole, asked.tolerance.value_or(PairOptions().tolerance), path.ends, keep};
+    const MeshOnPath on_path{callers, whole, asked.tolerance, path.ends, keep};
     PathSearch search(mesh, on_path, *engine_, kernels(options.isa), statistics);
     find(search);
   });
 }
 
-EarliestContact Detector::State::find(const CutPath& path, const QueryOptions& asked, Question question,
+EarliestContact Detector::State::find(const CutPath& path, const PathOptions& asked, Question question,
                                       const BodyPairs* each_of) {
   on_path(path, 0, asked, question, each_of, [&](PathSearch& search) {
     found.contacts() = search.find();
@@ -37,7 +37,7 @@ EarliestContact Detector::State::find(const CutPath& path, const QueryOptions& a
   return first_of(found.contacts());
 }
 
-SafeStep Detector::State::safe_step(const CutPath& path, double keep, const QueryOptions& asked) {
+SafeStep Detector::State::safe_step(const CutPath& path, double keep, const PathOptions& asked) {
   validate_kept(keep);
   SafeStep answer;
   on_path(path, keep, asked, Question::earliest, nullptr,

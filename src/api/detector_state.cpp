@@ -78,7 +78,7 @@ Query Detector::State::asked_query(const Step& step, const QueryOptions& asked, 
 
 Query Detector::State::validated_query(const Step& step, const QueryOptions& asked, Question question,
                                        const BodyPairs* each_of) {
-  validate_of_step(asked);
+  validate(asked);
   in_arena_if_long([&] { validate(step, mesh); });
   Query result = asked_query(step, asked, question, each_of);
   if (frame_) result.frame = &*frame_;
@@ -135,7 +135,7 @@ SafeStep Detector::State::safe_step(const Step& step, double keep, const QueryOp
 SafeStep Detector::State::step_length(const Query& query, double keep, AtStart at_start) {
   SafeStep answer;
   measure([&] { answer = engine_->find_step_length(query, keep, statistics); });
-  if (at_start != AtStart::fail || answer.lower > 0) return answer;
+  if (at_start != AtStart::fail || answer.toi_lower > 0) return answer;
   const Statistics of_answer = statistics;  // lower is 0, too, if a distance shrinks at once
   Query at_rest = query;
   at_rest.step.end = query.step.start;
@@ -145,20 +145,20 @@ SafeStep Detector::State::step_length(const Query& query, double keep, AtStart a
   return answer;
 }
 
-TruncatedStep Detector::State::truncate(const Step& step, double keep, const QueryOptions& asked, Stored stored) {
+TruncatedStep Detector::State::truncate(const Step& step, double keep, const QueryOptions& asked, StoredType stored) {
   validate_kept_of_truncate(keep);
   validate_is_named(stored, "kind of numbers that are stored");
   Query whole = validated_query(step, asked);
-  if (stored == Stored::float64) return truncate(whole, keep, asked.at_start, stored);
+  if (stored == StoredType::float64) return truncate(whole, keep, asked.at_start, stored);
   validate_stored(step, mesh, stored);
   const std::vector<Point> end = rounded(step.end, stored);
   whole.step.end = end;
   return truncate(whole, keep, asked.at_start, stored);
 }
 
-TruncatedStep Detector::State::truncate(const Query& whole, double keep, AtStart at_start, Stored stored) {
+TruncatedStep Detector::State::truncate(const Query& whole, double keep, AtStart at_start, StoredType stored) {
   const KeptFractions fractions(keep);
-  const double common_time = step_length(whole, fractions.together, at_start).lower;
+  const double common_time = step_length(whole, fractions.together, at_start).toi_lower;
   TruncatedStep answer;
   measure_more([&] { answer = Truncation(mesh, whole, fractions, stored, *engine_, statistics).run(common_time); });
   return answer;

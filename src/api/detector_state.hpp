@@ -7,12 +7,12 @@
 #include "api/arena.hpp"
 #include "api/contact_order.hpp"
 #include "api/detector_access.hpp"
+#include "numbers/busy_guard.hpp"
 #include "numbers/floating_point_state.hpp"
 #include "search/bounds/box_frame.hpp"
 #include "search/query/engine.hpp"
 #include "search/query/stopwatch.hpp"
 #include "search/topology/rings.hpp"
-#include "tamis/busy_guard.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis {
@@ -29,20 +29,18 @@ struct Detector::State {
   // Three questions about a Step or a CutPath.
 
   /// All contacts: those in `found`.
-  const std::vector<Contact>& find_contacts(const auto& motion, const QueryOptions& asked) {
+  const std::vector<Contact>& find_contacts(const auto& motion, const auto& asked) {
     find(motion, asked, Question::all_contacts);
     return found.contacts();
   }
-  EarliestContact earliest(const auto& motion, const QueryOptions& asked) {
-    return find(motion, asked, Question::earliest);
-  }
+  EarliestContact earliest(const auto& motion, const auto& asked) { return find(motion, asked, Question::earliest); }
   /// The first contact of each of these pairs of bodies that has one: those in `found`. To be asked of a world's mesh.
-  const std::vector<Contact>& first_contacts(const auto& motion, const QueryOptions& asked, const BodyPairs& each_of) {
+  const std::vector<Contact>& first_contacts(const auto& motion, const auto& asked, const BodyPairs& each_of) {
     find(motion, asked, Question::earliest, &each_of);
     return found.contacts();
   }
   /// AtStart::fail needs the earliest contact: any other does not tell whether a pair touches at the start.
-  bool is_free(const auto& motion, const QueryOptions& asked) {
+  bool is_free(const auto& motion, const auto& asked) {
     if (asked.at_start == AtStart::fail) return !earliest(motion, asked).contact;
     find(motion, asked, Question::is_free);
     return found.contacts().empty();
@@ -50,8 +48,8 @@ struct Detector::State {
 
   SafeStep safe_step(const Step& step, double keep, const QueryOptions& asked);
   /// On a path, a pair that starts nearer to its separation than doubles can tell ends the step at t=0.
-  SafeStep safe_step(const CutPath& path, double keep, const QueryOptions& asked);
-  TruncatedStep truncate(const Step& step, double keep, const QueryOptions& asked, Stored stored);
+  SafeStep safe_step(const CutPath& path, double keep, const PathOptions& asked);
+  TruncatedStep truncate(const Step& step, double keep, const QueryOptions& asked, StoredType stored);
   const std::vector<NearPair>& find_near(const Positions& positions, double distance);
   /// All intersections, or for `is_free` some, if there are any. `by_accepts`: only those that `accepts` of the
   /// options' filter accepts, which is called with a vertex of the edge, and the face.
@@ -74,10 +72,10 @@ struct Detector::State {
   /// The same with a question's own options. Throws InvalidOptions.
   Query asked_query(const Step& step, const QueryOptions& asked, Question question, const BodyPairs* each_of) const;
   template <class Find>
-  void on_path(const CutPath& path, double keep, const QueryOptions& asked, Question question, const BodyPairs* each_of,
+  void on_path(const CutPath& path, double keep, const PathOptions& asked, Question question, const BodyPairs* each_of,
                const Find& find);
   /// Truncates the step of a validated query. The caller can store the positions at its end.
-  TruncatedStep truncate(const Query& whole, double keep, AtStart at_start, Stored stored);
+  TruncatedStep truncate(const Query& whole, double keep, AtStart at_start, StoredType stored);
   /// Runs a loop over the vertices, in the arena if it is long enough for threads to share.
   template <class Work>
   void in_arena_if_long(const Work& work);
@@ -88,7 +86,7 @@ struct Detector::State {
   /// the pairs of bodies. Throws InvalidOptions, InvalidStep, InvalidPath.
   EarliestContact find(const Step& step, const QueryOptions& asked, Question question,
                        const BodyPairs* each_of = nullptr);
-  EarliestContact find(const CutPath& path, const QueryOptions& asked, Question question,
+  EarliestContact find(const CutPath& path, const PathOptions& asked, Question question,
                        const BodyPairs* each_of = nullptr);
   EarliestContact find(const Query& query);
   /// Throws InvalidStep, which names the pair: it touches at the step's start.

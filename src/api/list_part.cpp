@@ -14,7 +14,7 @@ namespace tamis {
 namespace {
 
 template <std::size_t count>
-bool are_rows(const Pair& pair, Index rows) {
+bool are_rows(const FeaturePair& pair, Index rows) {
   bool result = true;
   for (std::size_t i = 0; i < count; ++i)
     result &= static_cast<std::uint32_t>(pair.vertices[i]) < static_cast<std::uint32_t>(rows);
@@ -49,7 +49,7 @@ class PartDecision {
   template <PairKind kind>
   bool add(std::int32_t place) {
     constexpr std::size_t kCorners = vertex_count(kind);
-    const Pair& pair = part_.pairs[static_cast<std::size_t>(place)];
+    const FeaturePair& pair = part_.pairs[static_cast<std::size_t>(place)];
     if (!are_rows<kCorners>(pair, part_.step.start.count())) return false;
     auto& batch = batches_[static_cast<std::size_t>(kind)];
     if (!batch) batch = std::make_unique_for_overwrite<Batch>();
@@ -81,7 +81,7 @@ class PartDecision {
 
   bool decide_singly(PairKind kind, std::int32_t place) {
     stop_if_cancelled(part_.options);
-    const Pair& pair = part_.pairs[static_cast<std::size_t>(place)];
+    const FeaturePair& pair = part_.pairs[static_cast<std::size_t>(place)];
     if (!fault_of(pair, part_.step).empty()) return false;
     PrecisionCount decided_by;
     const PairPoints points = points_of(part_.step, vertices_in_use(kind, pair.vertices));

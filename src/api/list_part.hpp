@@ -8,7 +8,7 @@
 namespace tamis {
 
 struct ListPart {
-  std::span<const Pair> pairs;  ///< fewer than 2^31
+  std::span<const FeaturePair> pairs;  ///< fewer than 2^31
   const Step& step;
   const Kernels& kernels;
   const PairOptions& options;  ///< valid

@@ -18,7 +18,7 @@
 namespace tamis {
 namespace {
 
-[[noreturn]] void refuse_first_fault(std::span<const Pair> pairs, const Step& step) {
+[[noreturn]] void refuse_first_fault(std::span<const FeaturePair> pairs, const Step& step) {
   for (std::size_t i = 0;; ++i)
     if (const std::string fault = fault_of(pairs[i], step); !fault.empty())
       throw InvalidStep("pair " + std::to_string(i) + ": " + fault);
@@ -31,7 +31,7 @@ namespace {
         throw InvalidStep("pair " + std::to_string(i / corners) + ": " + not_finite(i % corners, when));
 }
 
-void validate(std::span<const Pair> pairs, const Step& step, std::span<PairResult> results) {
+void validate(std::span<const FeaturePair> pairs, const Step& step, std::span<PairResult> results) {
   if (results.size() != pairs.size())
     throw InvalidStep("there are " + std::to_string(pairs.size()) + " pairs and " + std::to_string(results.size()) +
                       " results: give as many results as pairs");
@@ -50,7 +50,7 @@ void validate(PairKind kind, std::span<const Point> start, std::span<const Point
 constexpr std::size_t kPairsOfListPart = 8192;
 
 struct PairsInStep {
-  std::span<const Pair> pairs;
+  std::span<const FeaturePair> pairs;
   Step step;
 };
 
@@ -75,10 +75,10 @@ bool decide_in_parts(std::span<PairResult> results, const PairOptions& options, 
 }
 
 /// Pairs that have their own points, one pair's behind the other's.
-std::vector<Pair> pairs_in_a_row(PairKind kind, std::size_t count) {
-  std::vector<Pair> pairs(count);
+std::vector<FeaturePair> pairs_in_a_row(PairKind kind, std::size_t count) {
+  std::vector<FeaturePair> pairs(count);
   const auto corners = static_cast<Index>(vertex_count(kind));
-  for (Index first = 0; Pair & pair : pairs) {
+  for (Index first = 0; FeaturePair & pair : pairs) {
     pair = {kind, {first, first + 1, first + 2, first + 3}};
     first += corners;
   }
@@ -87,7 +87,7 @@ std::vector<Pair> pairs_in_a_row(PairKind kind, std::size_t count) {
 
 }  // namespace
 
-void narrow_phase(std::span<const Pair> pairs, const Step& step, std::span<PairResult> results,
+void narrow_phase(std::span<const FeaturePair> pairs, const Step& step, std::span<PairResult> results,
                   const PairOptions& options) {
   validate(pairs, step, results);
   const auto part = [&](std::size_t first, std::size_t count) {
@@ -96,7 +96,7 @@ void narrow_phase(std::span<const Pair> pairs, const Step& step, std::span<PairR
   if (!decide_in_parts(results, options, part)) refuse_first_fault(pairs, step);
 }
 
-std::vector<PairResult> narrow_phase(std::span<const Pair> pairs, const Step& step, const PairOptions& options) {
+std::vector<PairResult> narrow_phase(std::span<const FeaturePair> pairs, const Step& step, const PairOptions& options) {
   std::vector<PairResult> results(pairs.size());
   narrow_phase(pairs, step, results, options);
   return results;
@@ -106,7 +106,8 @@ void narrow_phase(PairKind kind, std::span<const Point> start, std::span<const P
                   std::span<PairResult> results, const PairOptions& options) {
   validate(kind, start, end, results);
   const std::size_t corners = vertex_count(kind);
-  const std::vector<Pair> pairs = pairs_in_a_row(kind, std::min(results.size(), kPairsOfListPart));  // of each part
+  const std::vector<FeaturePair> pairs =
+      pairs_in_a_row(kind, std::min(results.size(), kPairsOfListPart));  // of each part
   const auto part = [&](std::size_t first, std::size_t count) {
     const Step step{start.subspan(corners * first, corners * count), end.subspan(corners * first, corners * count)};
     return PairsInStep{std::span(pairs).first(count), step};

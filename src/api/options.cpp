@@ -5,7 +5,7 @@
 
 #include "api/enum_names.hpp"
 #include "tamis/error.hpp"
-#include "tamis/stored.hpp"
+#include "tamis/stored_type.hpp"
 
 namespace tamis {
 namespace {
@@ -21,7 +21,7 @@ constexpr EnumNames<Isa, 4> kIsas{
 constexpr EnumNames<AtStart, 3> kAtStart{
     {{AtStart::report, "report"}, {AtStart::ignore, "ignore"}, {AtStart::fail, "fail"}}};
 
-constexpr EnumNames<Stored, 2> kStored{{{Stored::float64, "float64"}, {Stored::float32, "float32"}}};
+constexpr EnumNames<StoredType, 2> kStored{{{StoredType::float64, "float64"}, {StoredType::float32, "float32"}}};
 
 PairFilter matrix_filter(std::vector<Index> group_of_vertex, Index group_count, auto may_touch) {
   PairFilter filter;
@@ -40,7 +40,7 @@ AtStart at_start_from_name(std::string_view name) {
 }
 std::string_view name_of(PairKind value) { return find_name(kKinds, value); }
 std::string_view name_of(AtStart value) { return find_name(kAtStart, value); }
-std::string_view name_of(Stored value) { return find_name(kStored, value); }
+std::string_view name_of(StoredType value) { return find_name(kStored, value); }
 std::string_view name_of(Isa value) { return find_name(kIsas, value); }
 
 PairFilter PairFilter::no_self_contact(std::vector<Index> group_of_vertex) {

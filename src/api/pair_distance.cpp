@@ -15,7 +15,7 @@
 namespace tamis {
 namespace {
 
-void validate(const Pair& pair, const Step& step) {
+void validate(const FeaturePair& pair, const Step& step) {
   validate_layout(step);
   if (const std::string fault = fault_of(pair, step); !fault.empty()) throw InvalidStep(fault);
 }
@@ -24,14 +24,14 @@ void validate(const Pair& pair, const Step& step) {
 /// end it before the latest time of interest.
 using End = std::optional<TimeInterval<double>>;
 
-End end_by_contact(const Pair& pair, const PairPoints& points, const PairOptions& options) {
+End end_by_contact(const FeaturePair& pair, const PairPoints& points, const PairOptions& options) {
   PrecisionCount decided_by;
   const PairResult r = decide({pair.kind, points, options.min_separation}, decided_by, {options.latest});
   if (!r.touches) return {};
   return TimeInterval<double>{r.toi_lower, r.toi_upper};
 }
 
-End end_by_distance(const Pair& pair, const PairPoints& points, double keep, const PairOptions& options) {
+End end_by_distance(const FeaturePair& pair, const PairPoints& points, double keep, const PairOptions& options) {
   PrecisionCount decided_by;
   const DistanceRule kept{keep, options.min_separation};
   const double until = keeps_distance_until(pair.kind, points, kept, options.latest, decided_by);
@@ -41,7 +41,7 @@ End end_by_distance(const Pair& pair, const PairPoints& points, double keep, con
 
 }  // namespace
 
-NearPair distance_of(const Pair& pair, const Positions& positions) {
+NearPair distance_of(const FeaturePair& pair, const Positions& positions) {
   const ComputingState state;
   const Step rest{positions, positions};
   validate(pair, rest);
@@ -49,7 +49,7 @@ NearPair distance_of(const Pair& pair, const Positions& positions) {
   return near_pair(pair.kind, vertices, points_of(rest, vertices));
 }
 
-SafeStep safe_step(const Pair& pair, const Step& step, double keep, const PairOptions& options) {
+SafeStep safe_step(const FeaturePair& pair, const Step& step, double keep, const PairOptions& options) {
   const ComputingState state;
   validate(pair, step);
   tamis::validate(options);

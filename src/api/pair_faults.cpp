@@ -28,7 +28,7 @@ std::string not_finite(std::size_t point, const char* when) {
   return "point " + std::to_string(point) + " at the " + when + " of the step is not finite: give finite coordinates";
 }
 
-std::string fault_of(const Pair& pair, const Step& step) {
+std::string fault_of(const FeaturePair& pair, const Step& step) {
   if (!is_kind(pair.kind)) return no_such_kind(pair.kind);
   for (std::size_t i = 0; i < vertex_count(pair.kind); ++i) {
     const Index v = pair.vertices[i];

@@ -13,6 +13,6 @@ std::string no_such_kind(PairKind kind);
 /// The sentence on a point of a pair. `when`: "start" or "end".
 std::string not_finite(std::size_t point, const char* when);
 /// The sentence on one pair; empty if nothing is wrong with it.
-std::string fault_of(const Pair& pair, const Step& step);
+std::string fault_of(const FeaturePair& pair, const Step& step);
 
 }  // namespace tamis

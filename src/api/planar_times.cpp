@@ -35,7 +35,7 @@ double time_of_reaching(double level, double place, double speed, double from) {
 }
 
 /// An upper bound of how far rounding moves a vertex along n. A coordinate that does not change is not rounded.
-double rounding_along(const Point& n, const Point& start, const Point& end, Stored stored) {
+double rounding_along(const Point& n, const Point& start, const Point& end, StoredType stored) {
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k)
     if (start[k] != end[k]) sum += std::fabs(n[k]) * max_rounding(start[k], end[k], stored);

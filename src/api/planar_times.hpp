@@ -35,7 +35,7 @@ PairPoints at_rest_at(const PairPoints& points, double time);
 struct PlanarRule {
   const KeptFractions& fractions;
   double separation;
-  Stored stored;  ///< positions are rounded to these, except coordinates that do not change
+  StoredType stored;  ///< positions are rounded to these, except coordinates that do not change
 };
 
 /// For each vertex of the pair the last time in [`time`, 1] at which it is on its feature's side. `there`: the pair at

@@ -57,7 +57,7 @@ double displacement_length(const Step& step, Index v) {
 
 }  // namespace
 
-Truncation::Truncation(const Mesh& mesh, const Query& query, const KeptFractions& fractions, Stored stored,
+Truncation::Truncation(const Mesh& mesh, const Query& query, const KeptFractions& fractions, StoredType stored,
                        Engine& engine, Statistics& statistics)
     : mesh_(mesh),
       query_(query),

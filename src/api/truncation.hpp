@@ -18,7 +18,7 @@ class Truncation {
  public:
   /// Keeps references. REQUIRES: as many positions as the mesh has vertices. REQUIRES (not checked: O(n)): a validated
   /// step between positions that can be stored.
-  Truncation(const Mesh& mesh, const Query& query, const KeptFractions& fractions, Stored stored, Engine& engine,
+  Truncation(const Mesh& mesh, const Query& query, const KeptFractions& fractions, StoredType stored, Engine& engine,
              Statistics& statistics);
 
   /// `common_time`: until then every pair of the query is proven to keep fractions.together. REQUIRES: in [0,1].
@@ -56,7 +56,7 @@ class Truncation {
   const Query& query_;
   const Step& step_;  ///< that of the query
   const KeptFractions fractions_;
-  const Stored stored_;
+  const StoredType stored_;
   Engine& engine_;
   Statistics& statistics_;
   TruncatedStep result_;               ///< so far

@@ -144,7 +144,7 @@ void validate(const Step& step, const Mesh& mesh) {
   validate(step.end, mesh, "the end of the step");
 }
 
-void validate_stored(const Step& step, const Mesh& mesh, Stored stored) {
+void validate_stored(const Step& step, const Mesh& mesh, StoredType stored) {
   for (const Index v : mesh.points())
     for (std::size_t k = 0; k < 3; ++k) {
       const double start = step.start[v][k], end = step.end[v][k];
@@ -158,17 +158,14 @@ void validate_stored(const Step& step, const Mesh& mesh, Stored stored) {
 void validate_kept(double keep) { check_kept(keep, keep >= 0, ">= 0"); }
 void validate_kept_of_truncate(double keep) { check_kept(keep, keep > 0, "> 0"); }
 
-void validate_of_step(const QueryOptions& options) {
-  if (options.tolerance)
-    throw InvalidOptions(
-        "a step has no tolerance, its brackets are as narrow as doubles: leave it out, or give a path");
-  validate_of_path(options);
-}
-
-void validate_of_path(const QueryOptions& options) {
+void validate(const QueryOptions& options) {
   if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");
   validate_is_named(options.at_start, "way with pairs that touch at the start");
-  check_tolerance(options.tolerance.value_or(1));
+}
+
+void validate(const PathOptions& options) {
+  validate(QueryOptions{options.min_separation, options.at_start});
+  check_tolerance(options.tolerance);
 }
 
 }  // namespace tamis

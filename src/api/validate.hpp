@@ -7,7 +7,7 @@
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
 #include "tamis/step.hpp"
-#include "tamis/stored.hpp"
+#include "tamis/stored_type.hpp"
 
 namespace tamis {
 
@@ -23,14 +23,13 @@ void validate(const Positions& positions, const Mesh& mesh, const char* what);
 /// Throws InvalidStep unless both ends have as many rows, and the three numbers of a row stand side by side.
 void validate_layout(const Step& step);
 
-/// Throws InvalidOptions unless the separation is finite and >= 0 and `at_start` has a name, or if there is a
-/// tolerance, which only paths have.
-void validate_of_step(const QueryOptions& options);
+/// Throws InvalidOptions unless the separation is finite and >= 0 and `at_start` has a name.
+void validate(const QueryOptions& options);
 /// The same for a path: throws unless the tolerance is in (0, 1], too.
-void validate_of_path(const QueryOptions& options);
+void validate(const PathOptions& options);
 /// Throws InvalidStep: the start of a used vertex is no number of kind `stored`, or its end, rounded to such numbers,
 /// is infinite.
-void validate_stored(const Step& step, const Mesh& mesh, Stored stored);
+void validate_stored(const Step& step, const Mesh& mesh, StoredType stored);
 
 /// Throws InvalidOptions unless each option lies in its range.
 void validate(const PairOptions& options);

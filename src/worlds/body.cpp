@@ -34,7 +34,7 @@ double farthest_between(const RoundedTransform& a, const RoundedTransform& b, co
   return (farthest + 2 * (a.error_of(size, 0) + b.error_of(size, 0)) * kRootOfThree) * kRoundedUp;
 }
 
-bool stays(const Link& link) {
+bool stays(const RigidLink& link) {
   return link.start.position == link.end.position && link.start.rotation == link.end.rotation;
 }
 
@@ -46,7 +46,7 @@ double Body::max_deviation_from(const BodyMotion& other) const {
   const auto* soft = std::get_if<Deforming>(&other);
   if (!soft) {
     const Box& box = shape_->boxes.back();
-    const Chain chain = chain_of(other);
+    const RigidChain chain = chain_of(other);
     return std::max(farthest_between(transform_at(chain, 0), at_start_, box),
                     farthest_between(transform_at(chain, 1), at_end_, box));
   }
@@ -69,7 +69,7 @@ Body::Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion)
     end_boxes_ = boxes_at(soft->end);
     motion_kind_ = MotionKind::straight;
   } else {
-    const Chain chain = chain_of(motion_);
+    const RigidChain chain = chain_of(motion_);
     const ChainBounds bounds(chain);
     curvature_ = bounds.of(shape_->radius, 0);
     motion_kind_ = std::holds_alternative<Static>(motion_) ? MotionKind::still

@@ -18,7 +18,7 @@ inline constexpr double kMostPieces = 4096;
 enum class MotionKind : std::uint8_t { still, straight, turning };
 
 /// The chain of a body that does not deform (a static one's leads from its pose to itself); empty if it deforms.
-Chain chain_of(const BodyMotion& motion);
+RigidChain chain_of(const BodyMotion& motion);
 
 /// What a motion holds besides itself, if it deforms.
 inline std::uint64_t bytes_held_by(const BodyMotion& motion) {
@@ -50,7 +50,7 @@ class Body {
   const BodyMotion& motion() const { return motion_; }
   MotionKind motion_kind() const { return motion_kind_; }
   /// REQUIRES: it turns.
-  const Chain& chain() const { return std::get<Rigid>(motion_).chain; }
+  const RigidChain& chain() const { return std::get<Rigid>(motion_).chain; }
   /// Are its numbers so small that doubles certainly represent its positions at all times?
   bool is_surely_representable() const;
   /// Null unless it deforms.
@@ -88,7 +88,7 @@ class Body {
   friend class BodyOnPiece;
 
   /// Throws InvalidStep if doubles cannot hold a vertex' position. REQUIRES: a body that does not deform, finite poses.
-  void validate_far(const Chain& chain) const;
+  void validate_far(const RigidChain& chain) const;
 
   BodyId id_;
   std::shared_ptr<const BodyShape> shape_;

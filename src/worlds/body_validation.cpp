@@ -25,8 +25,8 @@ constexpr std::size_t kSafeLinks = 100;
 bool is_safe(const Point& x) {
   return std::ranges::all_of(x, [](double c) { return std::fabs(c) <= kSafeCoordinate; });
 }
-bool is_safe(const Chain& chain) {
-  return chain.size() <= kSafeLinks && std::ranges::all_of(chain, [](const Link& link) {
+bool is_safe(const RigidChain& chain) {
+  return chain.size() <= kSafeLinks && std::ranges::all_of(chain, [](const RigidLink& link) {
            return is_safe(link.start.position) && is_safe(link.end.position);
          });
 }
@@ -34,9 +34,9 @@ bool is_safe(const Chain& chain) {
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 /// REQUIRES: finite poses.
-void refuse_far_turns(const Chain& chain, const std::string& name) {
+void refuse_far_turns(const RigidChain& chain, const std::string& name) {
   double turn = 0;
-  for (const Link& link : chain) {
+  for (const RigidLink& link : chain) {
     for (const Pose& pose : {link.start, link.end})
       if (const double length = distance(pose.rotation, {}); length > kLongestRotation)
         throw InvalidStep("a rotation vector of " + name + " is " + number_text(length) +
@@ -50,7 +50,7 @@ void refuse_far_turns(const Chain& chain, const std::string& name) {
 
 }  // namespace
 
-Chain chain_of(const BodyMotion& motion) {
+RigidChain chain_of(const BodyMotion& motion) {
   if (const auto* still = std::get_if<Static>(&motion)) return {{still->pose, still->pose}};
   if (const auto* rigid = std::get_if<Rigid>(&motion)) return rigid->chain;
   return {};
@@ -63,8 +63,8 @@ bool Body::is_surely_representable() const {
 
 void Body::validate(const BodyMotion& motion) const {
   const std::string name = "body " + std::to_string(id_);
-  const Chain chain = chain_of(motion);
-  for (const Link& link : chain)
+  const RigidChain chain = chain_of(motion);
+  for (const RigidLink& link : chain)
     if (!is_finite(link.start) || !is_finite(link.end))
       throw InvalidStep("a pose of " + name + " is not finite: give finite positions and rotation vectors");
   const auto* deforming = std::get_if<Deforming>(&motion);
@@ -85,7 +85,7 @@ void Body::validate(const BodyMotion& motion) const {
   }
 }
 
-void Body::validate_far(const Chain& chain) const {
+void Body::validate_far(const RigidChain& chain) const {
   const std::string name = "body " + std::to_string(id_);
   const ChainBounds bounds(chain);
   for (const auto& [time, when] : {std::pair(0, "start"), std::pair(1, "end")}) {

@@ -13,10 +13,10 @@ bool is_pose_before(const Pose& a, const Pose& b) {
   return a.position != b.position ? a.position < b.position : a.rotation < b.rotation;
 }
 struct ByNumbers {
-  bool operator()(const Link& a, const Link& b) const {
+  bool operator()(const RigidLink& a, const RigidLink& b) const {
     return a.start == b.start ? is_pose_before(a.end, b.end) : is_pose_before(a.start, b.start);
   }
-  bool operator()(const Chain& a, const Chain& b) const {
+  bool operator()(const RigidChain& a, const RigidChain& b) const {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), *this);
   }
 };
@@ -31,12 +31,12 @@ bool turn_together(const Body& a, const Body& b) {
 }
 
 std::vector<CarriedPairs> carried_pairs(const BodyList& bodies, const std::vector<BodyPair>& pairs) {
-  std::map<Chain, std::vector<BodyPair>, ByNumbers> of_carrier;
+  std::map<RigidChain, std::vector<BodyPair>, ByNumbers> of_carrier;
   for (const BodyPair& pair : pairs) {
     const Body &a = *bodies[at(pair[0])], &b = *bodies[at(pair[1])];
     if (!turn_together(a, b)) continue;
     const auto count = static_cast<std::ptrdiff_t>(shared_links(a.chain(), b.chain()));
-    of_carrier[Chain(a.chain().begin(), a.chain().begin() + count)].push_back(pair);
+    of_carrier[RigidChain(a.chain().begin(), a.chain().begin() + count)].push_back(pair);
   }
   std::vector<CarriedPairs> all;
   for (auto& [carrier, carried] : of_carrier) all.push_back({carrier, std::move(carried)});
@@ -57,7 +57,7 @@ BodyList CarriedPairs::in_frame(const BodyList& bodies, const std::vector<BodyId
 }
 
 std::vector<BodyId> first_of_carrier(const BodyList& bodies, const std::vector<BodyId>& ids) {
-  std::map<Link, BodyId, ByNumbers> first;
+  std::map<RigidLink, BodyId, ByNumbers> first;
   std::vector<BodyId> found;
   for (const BodyId id : ids) {
     const Body& body = *bodies[at(id)];

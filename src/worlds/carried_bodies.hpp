@@ -12,7 +12,7 @@ bool turn_together(const Body& a, const Body& b);
 
 /// Pairs that share the same links, and no more.
 struct CarriedPairs {
-  Chain carrier;  ///< the shared links
+  RigidChain carrier;  ///< the shared links
   std::vector<BodyPair> pairs;
 
   /// The bodies of the pairs, and those of the others that share the links, as the frame sees them. Null in place of

@@ -154,12 +154,12 @@ Step Gathered::step(const BodyList& bodies) {
 RigidPath Gathered::path(const BodyList& bodies) const {
   std::vector<Point> rest, rest_end;
   std::vector<Index> number_of_body;
-  std::vector<Chain> chains;
+  std::vector<RigidChain> chains;
   BodyId last = -1;
   for (const auto& [id, own] : vertices_) {
     const Body& body = member(bodies, id);
     const bool turns = body.motion_kind() == MotionKind::turning;
-    if (id != last) chains.push_back(turns ? body.chain() : Chain());
+    if (id != last) chains.push_back(turns ? body.chain() : RigidChain());
     last = id;
     number_of_body.push_back(static_cast<Index>(chains.size()) - 1);
     rest.push_back(turns ? body.shape().points[at(own)] : body.start_of(own));

@@ -25,7 +25,7 @@ class Gathered {
   /// Does each body have the same kind of motion as when this was made, and do the same bodies turn together?
   bool keeps_motion_kinds(const BodyList& bodies) const;
   /// The links that carry the frame in which bodies are given to this from now on; empty: that of the world.
-  void set_carrier(Chain carrier) { carrier_ = std::move(carrier); }
+  void set_carrier(RigidChain carrier) { carrier_ = std::move(carrier); }
   const NearItems& items() const { return items_; }
   /// Those of items().pairs, for the vertices of the gathered mesh.
   const BodyPairs& body_pairs() const { return body_pairs_; }
@@ -76,7 +76,7 @@ class Gathered {
   const NearItems items_;
   const MotionKind least_;
   const std::vector<BodyId> carriers_;
-  Chain carrier_;
+  RigidChain carrier_;
   std::vector<MotionKind> motion_kinds_;  ///< of its bodies, by ascending number
   std::vector<Vertex> vertices_;          ///< by body, then own vertex, as contacts are ordered
   std::vector<Point> start_, end_;

@@ -45,12 +45,12 @@ void World::State::validate(std::span<const BodyId> moved, std::span<const BodyM
 }
 
 std::vector<EarliestBodyContact> World::earliest_many(std::span<const BodyId> moved,
-                                                      std::span<const BodyMotion> motions, const QueryOptions& asked) {
+                                                      std::span<const BodyMotion> motions, const PathOptions& asked) {
   const State::QuestionTurn turn(*this);
   State& now = *turn;
-  validate_of_path(asked);
+  validate(asked);
   now.validate(moved, motions);
-  const QueryOptions of_each = of_curves(asked);
+  const PathOptions of_each = of_curves(asked);
   std::vector<EarliestBodyContact> found(motions.empty() ? 0 : motions.size() / moved.size());
   tbb::enumerable_thread_specific<std::unique_ptr<State>> worlds([&] { return std::make_unique<State>(now); });
   Arena(now.options.threads).run([&] {

@@ -34,15 +34,19 @@ std::vector<BodyPair> World::State::near_bodies(const NearDistance& distance) {
   if (!still_) still_.emplace(bodies, true, distance, split_);
   const BodyTree moving(bodies, false, distance, split_);
   std::vector<BodyPair> pairs;
-  for (std::size_t i = 0; i < moving.bodies().size(); ++i) {
-    const BodyId body = moving.bodies()[i];
-    Box box = moving.hull(i);
-    box.widen((distance.separation + distance.margin) * kRoundedUp);
-    moving.for_each_near(box, [&](BodyId other) {
-      if (body < other) pairs.push_back({body, other});
-    });
-    still_->for_each_near(box, [&](BodyId other) { pairs.push_back({std::min(body, other), std::max(body, other)}); });
-  }
+  const auto add_pairs = [&](const BodyTree& tree, const BodyTree& others) {
+    for (std::size_t i = 0; i < tree.bodies().size(); ++i) {
+      const BodyId body = tree.bodies()[i];
+      Box box = tree.hull(i);
+      box.widen((distance.separation + distance.margin) * kRoundedUp);
+      others.for_each_near(box, [&](BodyId other) {
+        if (&tree != &others || body < other) pairs.push_back({std::min(body, other), std::max(body, other)});
+      });
+    }
+  };
+  add_pairs(moving, moving);
+  add_pairs(moving, *still_);
+  if (distance.include_static) add_pairs(*still_, *still_);
   std::erase_if(pairs, [&](const BodyPair& pair) { return excluded_pairs.contains(pair); });
   std::ranges::sort(pairs);
   return pairs;

@@ -20,7 +20,8 @@ using BodyList = std::vector<std::unique_ptr<Body>>;
 struct NearDistance {
   double separation = 0;
   double displacement_factor = 0;
-  bool is_at_start = false;  ///< of bodies as they are at t=0; else at any time of the step
+  bool is_at_start = false;     ///< of bodies as they are at t=0; else at any time of the step
+  bool include_static = false;  ///< also of two bodies that stay
   double margin = 0;
 
   /// What one body adds to the distance.

@@ -11,17 +11,13 @@ namespace tamis {
 namespace {
 
 /// The options for detectors that are asked about steps, which have no tolerance.
-QueryOptions of_steps(const QueryOptions& asked) {
-  QueryOptions options = of_curves(asked);
-  options.tolerance.reset();
-  return options;
-}
+QueryOptions of_steps(const PathOptions& asked) { return {asked.min_separation, of_curves(asked).at_start}; }
 
 // The first contact of each pair of bodies, of a gathered mesh and of a body with itself.
-const std::vector<Contact>& firsts_of(auto& state, auto& motion, const QueryOptions& how, const Gathered& whose) {
+const std::vector<Contact>& firsts_of(auto& state, auto& motion, auto& how, const Gathered& whose) {
   return state->first_contacts(motion, how, whose.body_pairs());
 }
-std::vector<Contact> firsts_of(auto& state, auto& motion, const QueryOptions& how, BodyId) {
+std::vector<Contact> firsts_of(auto& state, auto& motion, auto& how, BodyId) {
   const EarliestContact first = state->earliest(motion, how);
   return first.contact ? std::vector{*first.contact} : std::vector<Contact>();
 }
@@ -46,9 +42,9 @@ void World::State::for_each_by_itself(const F& f) {
 }
 
 template <class Ask>
-bool World::State::ask_turning(Gathering& gathering, const BodyList& seen, const Chain& carrier,
+bool World::State::ask_turning(Gathering& gathering, const BodyList& seen, const RigidChain& carrier,
                                const std::vector<BodyPair>& pairs, const NearDistance& distance,
-                               const QueryOptions& asked, const Ask& ask) {
+                               const PathOptions& asked, const Ask& ask) {
   const std::vector<double> times = times_of_pieces(seen, pairs, distance);
   if (!gather(gathering, seen, distance, pairs, times)) return true;
   Gathered& gathered = *gathering.gathered;
@@ -64,9 +60,9 @@ bool World::State::ask_turning(Gathering& gathering, const BodyList& seen, const
 }
 
 template <class Ask>
-void World::State::for_each_moving(const QueryOptions& asked, double displacement_factor, const Ask& ask) {
+void World::State::for_each_moving(const PathOptions& asked, double displacement_factor, const Ask& ask) {
   constexpr double kEndsOfStep[] = {0, 1};
-  validate_of_path(asked);
+  tamis::validate(asked);
   const NearDistance distance{asked.min_separation.value_or(options.min_separation), displacement_factor};
   const std::vector<BodyPair> near = near_bodies(distance);
   if (gather(straight_, bodies, distance, wanted_pairs(straight_, near), kEndsOfStep)) {
@@ -88,11 +84,12 @@ void World::State::for_each_moving(const QueryOptions& asked, double displacemen
 }
 
 template <class Ask>
-void World::State::for_each_at_rest(double distance, const Ask& ask) {
+void World::State::for_each_at_rest(double distance, const PoseOptions& asked, const Ask& ask) {
   constexpr double kEndsOfRest[] = {0, 0};
-  const NearDistance near{.separation = distance, .is_at_start = true};
-  if (gather(at_rest_, bodies, near, near_bodies(near), kEndsOfRest)) {
-    Gathered& gathered = *at_rest_.gathered;
+  const NearDistance near{.separation = distance, .is_at_start = true, .include_static = asked.include_static};
+  Gathering& gathering = asked.include_static ? at_rest_with_static_ : at_rest_;
+  if (gather(gathering, bodies, near, near_bodies(near), kEndsOfRest)) {
+    Gathered& gathered = *gathering.gathered;
     if (!ask_one(gathered.detector(), ask, gathered.start(bodies), gathered)) return;
   }
   for_each_by_itself([&](BodyId id, Body& body) {
@@ -100,7 +97,7 @@ void World::State::for_each_at_rest(double distance, const Ask& ask) {
   });
 }
 
-std::vector<BodyContact> World::contacts(const QueryOptions& asked) {
+std::vector<BodyContact> World::contacts(const PathOptions& asked) {
   const State::QuestionTurn now(*this);
   std::vector<BodyContact> all;
   now->for_each_moving(asked, 0, [&](auto& state, auto& motion, auto& how, auto& whose) {
@@ -112,7 +109,7 @@ std::vector<BodyContact> World::contacts(const QueryOptions& asked) {
   return all;
 }
 
-std::vector<BodyContact> World::first_contacts(const QueryOptions& asked) {
+std::vector<BodyContact> World::first_contacts(const PathOptions& asked) {
   const State::QuestionTurn now(*this);
   std::vector<BodyContact> all;
   now->for_each_moving(asked, 0, [&](auto& state, auto& motion, auto& how, auto& whose) {
@@ -124,9 +121,9 @@ std::vector<BodyContact> World::first_contacts(const QueryOptions& asked) {
   return all;
 }
 
-EarliestBodyContact World::earliest(const QueryOptions& asked) { return State::QuestionTurn(*this)->earliest(asked); }
+EarliestBodyContact World::earliest(const PathOptions& asked) { return State::QuestionTurn(*this)->earliest(asked); }
 
-EarliestBodyContact World::State::earliest(const QueryOptions& asked) {
+EarliestBodyContact World::State::earliest(const PathOptions& asked) {
   EarliestBodyContact first;
   for_each_moving(asked, 0, [&](auto& state, auto& motion, auto& how, auto& whose) {
     const EarliestContact found = state->earliest(motion, how);
@@ -138,7 +135,7 @@ EarliestBodyContact World::State::earliest(const QueryOptions& asked) {
   return first;
 }
 
-bool World::is_free(const QueryOptions& asked) {
+bool World::is_free(const PathOptions& asked) {
   if (asked.at_start == AtStart::fail) return !earliest(asked).contact;
   const State::QuestionTurn now(*this);
   bool is_free = true;
@@ -149,25 +146,25 @@ bool World::is_free(const QueryOptions& asked) {
 
 /// A pair of clearance c that keeps no more than f c has lost (1 - f) c, at most the displacements w of both bodies:
 /// then it has come within f w / (1 - f) of its separation.
-BodyStep World::safe_step(double fraction, const QueryOptions& asked) {
+BodyStep World::safe_step(double fraction, const PathOptions& asked) {
   const State::QuestionTurn now(*this);
   validate_kept(fraction);
   BodyStep first;
   now->for_each_moving(asked, fraction / (1 - fraction), [&](auto& state, auto& motion, auto& how, auto& whose) {
     const SafeStep step = state->safe_step(motion, fraction, how);
-    first.upper = std::min(first.upper, step.upper);
-    keep_earlier(first.pair, first.lower, step.pair, step.lower, whose);
+    first.toi_upper = std::min(first.toi_upper, step.toi_upper);
+    keep_earlier(first.pair, first.toi_lower, step.pair, step.toi_lower, whose);
     return true;
   });
-  if (first.pair) State::check_start(*first.pair, first.lower, asked);
+  if (first.pair) State::check_start(*first.pair, first.toi_lower, asked);
   return first;
 }
 
-std::vector<BodyNearPair> World::pairs_within(double distance) {
+std::vector<BodyNearPair> World::pairs_within(double distance, const PoseOptions& asked) {
   const State::QuestionTurn now(*this);
   validate_distance(distance, "the distance");
   std::vector<BodyNearPair> all;
-  now->for_each_at_rest(distance, [&](auto& state, auto& pose, auto& whose) {
+  now->for_each_at_rest(distance, asked, [&](auto& state, auto& pose, auto& whose) {
     add_named(all, state->find_near(pose, distance), whose);
     return true;
   });
@@ -175,10 +172,10 @@ std::vector<BodyNearPair> World::pairs_within(double distance) {
   return all;
 }
 
-std::vector<BodyIntersection> World::intersections() {
+std::vector<BodyIntersection> World::intersections(const PoseOptions& asked) {
   const State::QuestionTurn now(*this);
   std::vector<BodyIntersection> all;
-  now->for_each_at_rest(0, [&](auto& state, auto& pose, auto& whose) {
+  now->for_each_at_rest(0, asked, [&](auto& state, auto& pose, auto& whose) {
     add_named(all, state->find_intersections(pose, Question::all_contacts, true), whose);
     return true;
   });
@@ -186,10 +183,10 @@ std::vector<BodyIntersection> World::intersections() {
   return all;
 }
 
-bool World::has_intersection() {
+bool World::has_intersection(const PoseOptions& asked) {
   const State::QuestionTurn now(*this);
   bool has_one = false;
-  now->for_each_at_rest(0, [&](auto& state, auto& pose, auto&) {
+  now->for_each_at_rest(0, asked, [&](auto& state, auto& pose, auto&) {
     has_one = !state->find_intersections(pose, Question::is_free, true).empty();
     return !has_one;
   });

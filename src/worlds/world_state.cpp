@@ -92,12 +92,8 @@ void World::State::set_may_touch(std::span<const BodyPair> pairs, bool may_touch
 
 void World::State::require_may_touch(BodyId a, BodyId b, bool may_touch) {
   const Body &first = body(a), &second = body(b);
-  if (may_touch && a == b && !first.deforming())
+  if (may_touch && &first == &second && !first.deforming())
     throw InvalidOptions("body " + std::to_string(a) + " does not deform, so it cannot touch itself: leave that out");
-  if (may_touch && a != b && first.motion_kind() == MotionKind::still && second.motion_kind() == MotionKind::still)
-    throw InvalidOptions(
-        "bodies " + std::to_string(a) + " and " + std::to_string(b) +
-        " both stay where they are, and two such bodies are never asked about: tell one of them a motion");
 }
 
 void World::State::refuse_twice(std::span<const BodyId> ids) {
@@ -109,7 +105,7 @@ void World::State::refuse_twice(std::span<const BodyId> ids) {
 }
 
 void World::State::drop_gathered() {
-  for (Gathering* gathering : {&straight_, &turning_, &at_rest_}) gathering->gathered = nullptr;
+  for (Gathering* gathering : {&straight_, &turning_, &at_rest_, &at_rest_with_static_}) gathering->gathered = nullptr;
   carried_.clear();
 }
 
@@ -147,7 +143,8 @@ void World::State::add_statistics(const Statistics& of_part) {
 
 std::uint64_t World::State::memory_bytes() const {
   std::uint64_t bytes = held_bytes(bodies);
-  for (const Gathering* gathering : {&straight_, &turning_, &at_rest_}) bytes += held_bytes(*gathering);
+  for (const Gathering* gathering : {&straight_, &turning_, &at_rest_, &at_rest_with_static_})
+    bytes += held_bytes(*gathering);
   for (const auto& [key, gathering] : carried_) bytes += held_bytes(gathering);
   return bytes;
 }

@@ -5,10 +5,10 @@
 #include <set>
 #include <vector>
 
+#include "numbers/busy_guard.hpp"
 #include "numbers/floating_point_state.hpp"
 #include "search/kernels/kernels.hpp"
 #include "search/query/stopwatch.hpp"
-#include "tamis/busy_guard.hpp"
 #include "worlds/gathering.hpp"
 
 namespace tamis {
@@ -40,7 +40,7 @@ struct World::State {
 
   class Turn;
   class QuestionTurn;
-  EarliestBodyContact earliest(const QueryOptions& asked);
+  EarliestBodyContact earliest(const PathOptions& asked);
 
   void become(Body& body, Body moved) noexcept;
   void drop_gathered();
@@ -50,8 +50,8 @@ struct World::State {
   static void refuse_twice(std::span<const BodyId> ids);
   /// Throws InvalidOptions and InvalidStep.
   void validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions);
-  /// Pairs of bodies that may touch, ascending, both switched on and not both still, whose hulls come within the
-  /// distance.
+  /// Pairs of bodies that may touch, ascending, both switched on, whose hulls come within the distance. Two bodies that
+  /// stay are a pair only with `include_static`.
   std::vector<BodyPair> near_bodies(const NearDistance& distance);
   std::vector<BodyPair> wanted_pairs(const Gathering& gathering, std::vector<BodyPair> pairs) const;
   /// Makes `gathering` hold all items that come within the distance; returns false if none do. `seen`: `bodies`, or
@@ -67,17 +67,18 @@ struct World::State {
   /// Asks about pairs of which one body turns, in the world or in a frame (`seen`, as for gather()); returns false if
   /// no more is to be asked.
   template <class Ask>
-  bool ask_turning(Gathering& gathering, const BodyList& seen, const Chain& carrier, const std::vector<BodyPair>& pairs,
-                   const NearDistance& distance, const QueryOptions& asked, const Ask& ask);
+  bool ask_turning(Gathering& gathering, const BodyList& seen, const RigidChain& carrier,
+                   const std::vector<BodyPair>& pairs, const NearDistance& distance, const PathOptions& asked,
+                   const Ask& ask);
   /// Calls ask(state of a detector, motion, options, whose) for each detector, until one call returns false: with a
   /// Step and the gathered bodies that go straight; with a CutPath and those of which one turns, also in each frame of
   /// bodies that turn together; with the Step and the number of each deforming body. `displacement_factor`: as in
   /// NearDistance. Throws InvalidOptions.
   template <class Ask>
-  void for_each_moving(const QueryOptions& asked, double displacement_factor, const Ask& ask);
+  void for_each_moving(const PathOptions& asked, double displacement_factor, const Ask& ask);
   /// The same in the pose at t=0, for all items that come within the distance: ask(state of a detector, pose, whose).
   template <class Ask>
-  void for_each_at_rest(double distance, const Ask& ask);
+  void for_each_at_rest(double distance, const PoseOptions& asked, const Ask& ask);
   /// Calls f(id, body) for each body that may touch itself, until one returns false.
   template <class F>
   void for_each_by_itself(const F& f);
@@ -89,7 +90,7 @@ struct World::State {
   void refuse_far(const Gathered& gathered) const;
   /// Throws InvalidStep with AtStart::fail if the pair touches, or ends the step, at the time 0.
   template <class Row>
-  static void check_start(const Row& row, double time, const QueryOptions& asked) {
+  static void check_start(const Row& row, double time, const PathOptions& asked) {
     if (asked.at_start == AtStart::fail && time == 0) refuse_touching_start(row.kind, row.vertices, row.bodies);
   }
   [[noreturn]] static void refuse_touching_start(PairKind kind, const PairVertices& vertices,
@@ -101,12 +102,13 @@ struct World::State {
   Gathering straight_{MotionKind::straight, MotionKind::straight, 1};
   Gathering turning_{MotionKind::turning, MotionKind::turning, 0.5};
   Gathering at_rest_{MotionKind::straight, MotionKind::turning, 1};
+  Gathering at_rest_with_static_{MotionKind::still, MotionKind::turning, 1};
   std::map<std::pair<std::size_t, BodyId>, Gathering> carried_;  ///< by the number of shared links and the first body
 };
 
 /// The options for detectors that are asked about curves. With AtStart::fail contacts at the start are reported, and
 /// the world refuses them, naming bodies.
-inline QueryOptions of_curves(QueryOptions asked) {
+inline PathOptions of_curves(PathOptions asked) {
   if (asked.at_start == AtStart::fail) asked.at_start = AtStart::report;
   return asked;
 }

@@ -5,5 +5,6 @@
 namespace tamis::test {
 
 inline constexpr QueryOptions kIgnore{.at_start = AtStart::ignore}, kFail{.at_start = AtStart::fail};
+inline constexpr PathOptions kIgnoreOnPath{.at_start = AtStart::ignore}, kFailOnPath{.at_start = AtStart::fail};
 
 }  // namespace tamis::test

@@ -119,7 +119,7 @@ struct AskingPath final : Path {
 
 TEST_F(BusyDetector, RefusesItsOwnPath) {
   Detector detector(scene_.mesh());
-  EXPECT_THROW(detector.contacts(AskingPath(detector, path_)), Busy);
+  EXPECT_THROW((void)detector.contacts(AskingPath(detector, path_)), Busy);
   EXPECT_FALSE(detector.is_free(path_));
 }
 
@@ -171,22 +171,15 @@ TEST_F(BusyDetector, MayBeMovedByItsOwnFilter) {
   EXPECT_TRUE(contacts.ask(*moved) == contacts.ask(plain));
 }
 
-// Bug: a temporary detector returns a reference to its list. In `for (const Contact& c :
-// Detector(mesh).contacts(step))` the detector is destroyed before the loop begins.
-TEST_F(BusyDetector, WithoutANameLeavesItsListsToTheCaller) {
-  const auto one = [&] { return Detector(scene_.mesh()); };
-  Detector kept = one();
-  const auto expect_own = [](auto&& list, const auto& expected) {
-    static_assert(std::is_rvalue_reference_v<decltype(list)>);
-    EXPECT_EQ(list.size(), expected.size());
-    EXPECT_FALSE(list.empty());
-  };
-  const double distance = edge_of_sheets(kCells);
-  expect_own(one().contacts(scene_.step()), kept.contacts(scene_.step()));
-  expect_own(one().contacts(path_), kept.contacts(path_));
-  expect_own(one().pairs_within(scene_.start, distance), kept.pairs_within(scene_.start, distance));
-  static_assert(std::is_same_v<decltype(one().intersections(scene_.start)), std::vector<Intersection>>);
-}
+template <class AnyDetector>
+concept HasLists = requires(AnyDetector&& detector, const Step& step) {
+  std::forward<AnyDetector>(detector).contacts(step);
+  std::forward<AnyDetector>(detector).pairs_within(step.start, 1);
+  std::forward<AnyDetector>(detector).intersections(step.start);
+};
+// Bug: a temporary detector returns a view of its list. In `for (const Contact& c : Detector(mesh).contacts(step))` the
+// detector is destroyed before the loop begins.
+static_assert(HasLists<Detector&> && !HasLists<Detector>);
 
 }  // namespace
 }  // namespace tamis::test

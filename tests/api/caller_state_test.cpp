@@ -29,8 +29,8 @@ void append(Numbers& numbers, const Pose& pose) {
   append(numbers, pose.position);
   append(numbers, pose.rotation);
 }
-void append(Numbers& numbers, const Chain& chain) {
-  for (const Link& link : chain) {
+void append(Numbers& numbers, const RigidChain& chain) {
+  for (const RigidLink& link : chain) {
     append(numbers, link.start);
     append(numbers, link.end);
   }
@@ -127,11 +127,11 @@ TEST(CallerState, PairsAreDecidedAlike) {
           append(numbers, edge_edge(ee.start, ee.end));
           append(numbers, vertex_edge({ve.start[0], ve.start[1], ve.start[2]}, {ve.end[0], ve.end[1], ve.end[2]}));
           append(numbers, vertex_vertex({vv.start[0], vv.start[1]}, {vv.end[0], vv.end[1]}, options));
-          const Pair pair{PairKind::edge_edge, {0, 1, 2, 3}};
+          const FeaturePair pair{PairKind::edge_edge, {0, 1, 2, 3}};
           append(numbers, distance_of(pair, ee.start));
           for (const double keep : {0.0, 0.3}) {
             const SafeStep safe = safe_step(pair, {ee.start, ee.end}, keep);
-            numbers.insert(numbers.end(), {safe.lower, safe.upper});
+            numbers.insert(numbers.end(), {safe.toi_lower, safe.toi_upper});
           }
           return numbers;
         });
@@ -142,7 +142,7 @@ TEST(CallerState, PairsAreDecidedAlike) {
 TEST(CallerState, ListsAreDecidedAlike) {
   scenes::Random random(6);
   std::vector<Point> start, end;
-  std::vector<Pair> pairs;
+  std::vector<FeaturePair> pairs;
   for (const Family& family : kFamilies)
     for (int i = 0; i < 1000; ++i) {
       const oracle::Motion motion = family.make(PairKind::vertex_face, random);
@@ -175,12 +175,12 @@ TEST(CallerState, PosesAndPathsAreMadeAlike) {
     const double time = random.unit(), half = 0.5 * time;
     expect_same_in_all_states("poses", [=] {
       Numbers numbers;
-      append(numbers, interpolated(a, b));
-      append(numbers, turned(a, b.rotation, b.position, center));
-      const Chain chain = between(a, b, center);
+      append(numbers, interpolated_chain(a, b));
+      append(numbers, turned_chain(a, b.rotation, b.position, center));
+      const RigidChain chain = chain_between(a, b, center);
       append(numbers, chain);
       append(numbers, pose_at(chain, time));
-      append(numbers, pose_at(interpolated(a, b), time));
+      append(numbers, pose_at(interpolated_chain(a, b), time));
       numbers.push_back(nlerp_deviation(a, b));
       append(numbers, pose_of_quaternion({0.6, 0.48, 0.64, 0.00001}, x));
       append(numbers, pose_of_matrix({{{0.6, -0.8, 1e-9}, {0.8, 0.6, 0}, {0, 1e-9, 1}}}, x));
@@ -308,14 +308,14 @@ TEST(CallerState, ComesBackAfterAnException) {
       Options cancelled = threads(2);
       cancelled.is_cancelled = [] { return true; };
       Detector stopping(mesh, cancelled);
-      EXPECT_THROW(throwing.contacts(scene.step()), std::runtime_error);
+      EXPECT_THROW((void)throwing.contacts(scene.step()), std::runtime_error);
       EXPECT_EQ(state_here(), before);
-      EXPECT_THROW(stopping.contacts(scene.step()), Cancelled);
+      EXPECT_THROW((void)stopping.contacts(scene.step()), Cancelled);
       EXPECT_EQ(state_here(), before);
-      EXPECT_THROW(stopping.contacts(path), Cancelled);
-      EXPECT_THROW(stopping.contacts(Step{}), InvalidStep);
-      EXPECT_THROW(vertex_face(std::array<Point, 4>{}, {}, {.min_separation = -1}), InvalidOptions);
-      EXPECT_THROW(pose_at({}, 2), InvalidPath);
+      EXPECT_THROW((void)stopping.contacts(path), Cancelled);
+      EXPECT_THROW((void)stopping.contacts(Step{}), InvalidStep);
+      EXPECT_THROW((void)vertex_face(std::array<Point, 4>{}, {}, {.min_separation = -1}), InvalidOptions);
+      EXPECT_THROW((void)pose_at({}, 2), InvalidPath);
       EXPECT_THROW(RigidPath({{0, 0, 0}}, {3}, {}), InvalidPath);
     });
     EXPECT_EQ(after, before);

@@ -127,11 +127,14 @@ TEST(CancellationWaitOfManyPairs, IsShort) {
   for (const double separation : {0.0, 0.75 * edge}) {
     Detector detector(mesh, alone_in_the_library(waits));
     const QueryOptions options{.min_separation = separation};
-    EXPECT_LT(waits.longest_of([&] { detector.truncate(scene.step(), 0.1, options); }), kLongestWait) << separation;
-    EXPECT_LT(waits.longest_of([&] { detector.contacts(scene.step(), options); }), kLongestWait) << separation;
-    EXPECT_LT(waits.longest_of([&] { detector.safe_step(scene.step(), 0.1, options); }), kLongestWait) << separation;
-    EXPECT_LT(waits.longest_of([&] { detector.pairs_within(scene.start, separation); }), kLongestWait) << separation;
-    EXPECT_LT(waits.longest_of([&] { detector.intersections(scene.end); }), kLongestWait) << separation;
+    EXPECT_LT(waits.longest_of([&] { (void)detector.truncate(scene.step(), 0.1, options); }), kLongestWait)
+        << separation;
+    EXPECT_LT(waits.longest_of([&] { (void)detector.contacts(scene.step(), options); }), kLongestWait) << separation;
+    EXPECT_LT(waits.longest_of([&] { (void)detector.safe_step(scene.step(), 0.1, options); }), kLongestWait)
+        << separation;
+    EXPECT_LT(waits.longest_of([&] { (void)detector.pairs_within(scene.start, separation); }), kLongestWait)
+        << separation;
+    EXPECT_LT(waits.longest_of([&] { (void)detector.intersections(scene.end); }), kLongestWait) << separation;
   }
 }
 
@@ -159,9 +162,9 @@ TEST(CancellationWaitOfWorlds, IsShort) {
   const Shape sheet(Mesh(static_cast<Index>(half), faces), points);
   Waits waits(2);
   const Pose above{{0.003, 0.1, 0.001}, {}};
-  const std::vector<BodyMotion> motions{Rigid{between(above, {{0, -0.1, 0}, {0, 1, 0}})},
-                                        Rigid{interpolated(above, {{0.1, -0.1, 0.05}, {}})},
-                                        Rigid{between({{0, 0.02, 0}, {}}, {{0, 0.02, 0}, {0, 0.25, 0}})}};
+  const std::vector<BodyMotion> motions{Rigid{chain_between(above, {{0, -0.1, 0}, {0, 1, 0}})},
+                                        Rigid{interpolated_chain(above, {{0.1, -0.1, 0.05}, {}})},
+                                        Rigid{chain_between({{0, 0.02, 0}, {}}, {{0, 0.02, 0}, {0, 0.25, 0}})}};
   for (const BodyMotion& motion : motions) {
     World world(alone_in_the_library(waits));
     world.add(sheet, Static{});
@@ -190,9 +193,9 @@ struct Squares {
   Mesh mesh() const { return {8, faces}; }
   /// The first link turns by nearly nothing, but about another axis: so no axis is fixed, which would make pairs easy.
   RigidPath path(double height, const Point& turn) const {
-    Chain chain = turned({{0.1, 0.05, height}, {0, 0, 0}}, turn, {0.3, 0.15, height});
-    chain.insert(chain.begin(), Link{{}, {{0, 0, 0}, {0, 1e-300, 0}}});
-    return {rest, body, {Chain{}, chain}};
+    RigidChain chain = turned_chain({{0.1, 0.05, height}, {0, 0, 0}}, turn, {0.3, 0.15, height});
+    chain.insert(chain.begin(), RigidLink{{}, {{0, 0, 0}, {0, 1e-300, 0}}});
+    return {rest, body, {RigidChain{}, chain}};
   }
 };
 
@@ -253,7 +256,7 @@ TEST(HardPairs, AreGivenUpInSeconds) {
 
 TEST(CancellationWaitOfLists, IsShort) {
   const Scene scene = two_sheets(60);
-  std::vector<Pair> pairs;
+  std::vector<FeaturePair> pairs;
   const Mesh mesh = scene.mesh();
   const auto vertices = static_cast<Index>(mesh.points().size());
   for (std::size_t f = 0; f < mesh.faces().size(); ++f)

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "support/contact_sets.hpp"
+#include "support/copied.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {
@@ -94,7 +95,7 @@ TEST(Crowd, TheFirstContactIsRightAndTakesFewIntegers) {
     SCOPED_TRACE(motion.name);
     const Sheets sheets(8, motion);
     Detector detector = sheets.detector();
-    const std::vector<Contact> all = detector.contacts(sheets.step());
+    const std::vector<Contact> all = copied(detector.contacts(sheets.step()));
     const auto by_integers = static_cast<double>(detector.statistics().decided_by.exact);
     const EarliestContact first = detector.earliest(sheets.step());
     ASSERT_TRUE(first.contact);

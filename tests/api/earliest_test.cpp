@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "support/contact_sets.hpp"
+#include "support/copied.hpp"
 #include "support/flat_sheets.hpp"
 #include "support/shortened.hpp"
 #include "support/test_names.hpp"
@@ -18,7 +19,7 @@ using scenes::Recipe, scenes::Scene;
 
 void check_questions(const Scene& scene, const yardstick::Options& options) {
   Detector detector = yardstick::make_detector(scene.mesh(), options);
-  const std::vector<Contact> contacts = detector.contacts(scene.step());
+  const std::vector<Contact> contacts = copied(detector.contacts(scene.step()));
   EXPECT_EQ(detector.is_free(scene.step()), contacts.empty());
   const EarliestContact earliest = detector.earliest(scene.step());
   ASSERT_EQ(earliest.contact.has_value(), !contacts.empty());

@@ -32,9 +32,9 @@ TEST_P(KnownStep, FallsUntilTheFractionIsLeft) {
     for (const double fraction : {0.0, 0.1, 0.5, 0.9, 0.999}) {
       const SafeStep safe = keep(falling_point(1, -1, far), fraction, with(GetParam()));
       const double truth = 0.5 * (1 - fraction);
-      EXPECT_LE(safe.lower, truth * (1 + 1e-12));
-      EXPECT_LE(truth * (1 - 1e-12), safe.upper);
-      EXPECT_LE(safe.upper - safe.lower, 1e-9);
+      EXPECT_LE(safe.toi_lower, truth * (1 + 1e-12));
+      EXPECT_LE(truth * (1 - 1e-12), safe.toi_upper);
+      EXPECT_LE(safe.toi_upper - safe.toi_lower, 1e-9);
       ASSERT_TRUE(safe.pair);
       EXPECT_EQ(safe.pair->vertices, (std::array<Index, 4>{3, 0, 1, 2}));
       EXPECT_EQ(safe.pair->distance, 1);
@@ -44,10 +44,10 @@ TEST_P(KnownStep, FallsUntilTheFractionIsLeft) {
 
 TEST_P(KnownStep, CountsTheDistanceBeyondTheMinimumSeparation) {
   const SafeStep safe = keep(falling_point(1, -1), 0.5, with(GetParam(), 0.5));
-  EXPECT_NEAR(safe.lower, 0.125, 1e-9);
-  EXPECT_LE(safe.lower, 0.125);
-  EXPECT_EQ(keep(falling_point(1, -1), 0.5, with(GetParam(), 1)).lower, 0) << "within it at t=0";
-  EXPECT_GT(keep(falling_point(1, -1), 0.5, with(GetParam(), std::nextafter(1.0, 0.0))).lower, 0);
+  EXPECT_NEAR(safe.toi_lower, 0.125, 1e-9);
+  EXPECT_LE(safe.toi_lower, 0.125);
+  EXPECT_EQ(keep(falling_point(1, -1), 0.5, with(GetParam(), 1)).toi_lower, 0) << "within it at t=0";
+  EXPECT_GT(keep(falling_point(1, -1), 0.5, with(GetParam(), std::nextafter(1.0, 0.0))).toi_lower, 0);
 }
 
 /// Adds a triangle that turns by `angle` about an axis along z through its middle, and moves by `way`.
@@ -68,7 +68,7 @@ TEST_P(KnownStep, ShrinksAsAWholeUntilItIsWithinTheSeparation) {
   for (const double height : {0.0, 1.0})
     add_turning(scene, {{{0, 0, height}, {0.01, 0, height}, {0, 0.01, height}}}, 0.5, {0, 0, -0.5 * height});
   const SafeStep safe = keep(scene, 0.25, with(GetParam(), 0.8));
-  EXPECT_NEAR(safe.lower, (1 - 0.8 - 0.25 * 0.2) / 0.5, 1e-3);
+  EXPECT_NEAR(safe.toi_lower, (1 - 0.8 - 0.25 * 0.2) / 0.5, 1e-3);
   EXPECT_TRUE(safe.pair);
 }
 
@@ -78,16 +78,16 @@ TEST_P(KnownStep, ObjectsThatTurnByThemselvesMeet) {
   add_turning(scene, {{{-1, 0, 0}, {1, 0, 0}, {0, 0.01, 0}}}, 1, {0, 0, 0});
   add_turning(scene, {{{0.7, 0.4, 0}, {0.71, 0.4, 0.01}, {0.7, 0.41, 0}}}, -1, {0, 0, 0});
   const SafeStep safe = keep(scene, 0.25, with(GetParam()));
-  EXPECT_GT(safe.lower, 0.3);
-  EXPECT_LT(safe.lower, 0.6);  // two thirds of the way to tan(angle) = 0.4 / 0.7
+  EXPECT_GT(safe.toi_lower, 0.3);
+  EXPECT_LT(safe.toi_lower, 0.6);  // two thirds of the way to tan(angle) = 0.4 / 0.7
 }
 
 TEST_P(KnownStep, GoesAllTheWayAtRestAndAway) {
   for (const double end : {0.25, 1.0})
     for (const double fraction : {0.0, 0.5, 0.999}) {
       const SafeStep safe = keep(falling_point(0.25, end), fraction, with(GetParam()));
-      EXPECT_EQ(safe.lower, 1);
-      EXPECT_EQ(safe.upper, 1);
+      EXPECT_EQ(safe.toi_lower, 1);
+      EXPECT_EQ(safe.toi_upper, 1);
       EXPECT_FALSE(safe.pair);
     }
 }
@@ -96,13 +96,14 @@ TEST_P(KnownStep, GoesAllTheWayAtRestAndAway) {
 TEST_P(KnownStep, IsZeroOnlyIfTheyTouchAtTheStart) {
   for (const double fraction : {0.0, 0.5, 1 - 0x1p-53}) {
     const SafeStep touching = keep(falling_point(0, -1), fraction, with(GetParam()));
-    EXPECT_EQ(touching.lower, 0);
-    EXPECT_EQ(touching.upper, 0);
+    EXPECT_EQ(touching.toi_lower, 0);
+    EXPECT_EQ(touching.toi_upper, 0);
     EXPECT_TRUE(touching.pair);
     for (const double height : {0x1p-1000, 0x1p-500, 1e-20, 1e-9})
-      EXPECT_GT(keep(falling_point(height, -1), fraction, with(GetParam())).lower, 0) << height << " " << fraction;
+      EXPECT_GT(keep(falling_point(height, -1), fraction, with(GetParam())).toi_lower, 0) << height << " " << fraction;
     for (const double height : {1e-9, 1e-15})
-      EXPECT_EQ(keep(falling_point(height, height), fraction, with(GetParam())).lower, 1) << height << " " << fraction;
+      EXPECT_EQ(keep(falling_point(height, height), fraction, with(GetParam())).toi_lower, 1)
+          << height << " " << fraction;
   }
 }
 
@@ -111,14 +112,14 @@ TEST_P(KnownStep, FacesOfNoAreaKeepTheirDistanceToo) {
   scene.start[2] = scene.end[2] = {0.5, 0, 0};  // on the line of the other two
   scene.start[3] = {0.25, 0, 1};
   scene.end[3] = {0.25, 0, -1};
-  EXPECT_NEAR(keep(scene, 0.5, with(GetParam())).lower, 0.25, 1e-9);
+  EXPECT_NEAR(keep(scene, 0.5, with(GetParam())).toi_lower, 0.25, 1e-9);
 }
 
 TEST_P(KnownStep, FiltersLeaveOutPairs) {
   const Scene scene = falling_point(1, -1);
   yardstick::Options options = with(GetParam());
   options.filter.accepts = [](PairKind, const std::array<Index, 4>&) { return false; };
-  for (const double fraction : {0.0, 0.5}) EXPECT_EQ(keep(scene, fraction, options).lower, 1);
+  for (const double fraction : {0.0, 0.5}) EXPECT_EQ(keep(scene, fraction, options).toi_lower, 1);
 }
 
 TEST_P(KnownStep, RefusesFractionsThatAreNone) {
@@ -145,8 +146,8 @@ TEST_P(KnownStep, StopsAtTheEndOfTheRangeOfDoubles) {
   add({{{0, 0, 0.5}, {0.1, 0, 1}, {-0.1, 0.1, 1}}}, 1);
   for (const double fraction : {0.0, 0.2, 0.9}) {
     const SafeStep safe = keep(scene, fraction, with(GetParam()));
-    EXPECT_NEAR(safe.lower, 0.5 * (1 - fraction), 1e-12);
-    EXPECT_NEAR(safe.upper, 0.5 * (1 - fraction), 1e-12);
+    EXPECT_NEAR(safe.toi_lower, 0.5 * (1 - fraction), 1e-12);
+    EXPECT_NEAR(safe.toi_upper, 0.5 * (1 - fraction), 1e-12);
   }
 }
 
@@ -185,9 +186,9 @@ TEST(SafeStep, DecidesHardlyAnyPairOfAFanSingly) {
     const Mesh mesh = scene.mesh();
     for (const double fraction : {0.1, 0.5}) {
       Detector detector(mesh);
-      EXPECT_EQ(detector.safe_step(scene.step(), fraction).lower, 1);
+      EXPECT_EQ(detector.safe_step(scene.step(), fraction).toi_lower, 1);
       EXPECT_LT(last_stage(detector.statistics()), 400u) << faces << ' ' << fraction;
-      detector.truncate(scene.step(), fraction);
+      (void)detector.truncate(scene.step(), fraction);
       EXPECT_LT(last_stage(detector.statistics()), 400u) << faces << ' ' << fraction;
     }
   }

@@ -21,7 +21,7 @@ constexpr Isa kIsas[] = {Isa::baseline, Isa::avx2, Isa::avx512};
 
 bool is_here(Isa isa) {
   try {
-    narrow_phase(std::vector<Pair>{}, Step{}, {.isa = isa});
+    (void)narrow_phase(std::vector<FeaturePair>{}, Step{}, {.isa = isa});
     return true;
   } catch (const InvalidOptions&) {
     return false;
@@ -51,7 +51,7 @@ oracle::Motion exploding(const oracle::Motion& motion, double times) {
 /// Motions of all kinds and families, and a list in which the kinds alternate. Every third motion goes very far.
 struct Cases {
   std::vector<Point> start, end;
-  std::vector<Pair> pairs;
+  std::vector<FeaturePair> pairs;
   std::vector<oracle::Motion> motions;
 };
 
@@ -127,7 +127,7 @@ TEST(NarrowPhase, ThreadsAndPlacesInTheListChangeNoBit) {
   const Cases cases = make_cases(500);  // so many that threads share them
   const auto results = narrow_phase(cases.pairs, {cases.start, cases.end}, {.threads = 1});
   const auto threads = narrow_phase(cases.pairs, {cases.start, cases.end}, {.threads = 3});
-  std::vector<Pair> reversed(cases.pairs.rbegin(), cases.pairs.rend());
+  std::vector<FeaturePair> reversed(cases.pairs.rbegin(), cases.pairs.rend());
   const auto backwards = narrow_phase(reversed, {cases.start, cases.end});
   for (std::size_t i = 0; i < results.size(); ++i) {
     ASSERT_EQ(difference(results[i], threads[i]), "") << i;
@@ -138,7 +138,7 @@ TEST(NarrowPhase, ThreadsAndPlacesInTheListChangeNoBit) {
 TEST(NarrowPhase, ListsOfADetectorsPairsTouchWhereItFindsContacts) {
   const scenes::Scene scene = scenes::scene_by_name("folded-cloth", 800, 3);
   const test::PairSet contacts = test::find_names(scene, {});
-  std::vector<Pair> pairs;
+  std::vector<FeaturePair> pairs;
   yardstick::Options options;
   options.method = yardstick::Method::brute;
   options.threads = 1;
@@ -173,12 +173,12 @@ TEST(NarrowPhase, StridesAreFollowedAndRowsThatNoPairNamesAreNotRead) {
   for (std::size_t i = 0; i < results.size(); ++i) EXPECT_EQ(difference(results[i], expected[i]), "") << i;
 }
 
-TEST(NarrowPhase, AnEmptyListHasNoResults) { EXPECT_TRUE(narrow_phase(std::vector<Pair>{}, Step{}).empty()); }
+TEST(NarrowPhase, AnEmptyListHasNoResults) { EXPECT_TRUE(narrow_phase(std::vector<FeaturePair>{}, Step{}).empty()); }
 
 template <class Bad>
-std::string sentence(std::vector<Pair> pairs, const Step& step, const PairOptions& options = {}) {
+std::string sentence(std::vector<FeaturePair> pairs, const Step& step, const PairOptions& options = {}) {
   try {
-    narrow_phase(pairs, step, options);
+    (void)narrow_phase(pairs, step, options);
   } catch (const Bad& e) {
     return e.what();
   }
@@ -210,7 +210,7 @@ TEST(NarrowPhase, BadPairsAreNamedTheFirstOfThem) {
 
 TEST(NarrowPhase, VerticesThatAKindDoesNotUseAreNotRead) {
   const std::vector<Point> start{{0, 0, 0}, {1, 0, 0}}, end{{1, 0, 0}, {1, 0, 0}};
-  const auto results = narrow_phase(std::vector<Pair>{{PairKind::vertex_vertex, {0, 1, -7, 99}}}, {start, end});
+  const auto results = narrow_phase(std::vector<FeaturePair>{{PairKind::vertex_vertex, {0, 1, -7, 99}}}, {start, end});
   EXPECT_TRUE(results[0].touches);
 }
 
@@ -219,8 +219,8 @@ TEST(NarrowPhase, PairsThatComeAsPointsSayTheSame) {
   for (const PairKind kind : test::kAllKinds) {
     const std::size_t corners = kind == PairKind::vertex_vertex ? 2 : kind == PairKind::vertex_edge ? 3 : 4;
     std::vector<Point> start, end;
-    std::vector<Pair> pairs;
-    for (const Pair& pair : cases.pairs)
+    std::vector<FeaturePair> pairs;
+    for (const FeaturePair& pair : cases.pairs)
       if (pair.kind == kind) {
         for (std::size_t i = 0; i < corners; ++i) {
           start.push_back(cases.start[static_cast<std::size_t>(pair.vertices[i])]);

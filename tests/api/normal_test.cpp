@@ -67,7 +67,7 @@ TEST_P(Normal, IsAUnitVectorWhereAFeatureIsAPoint) {
 PairResult alone(const Scene& scene, const Contact& c, double separation) {
   PairOptions options;
   options.min_separation = separation;
-  return narrow_phase(std::vector<Pair>{{c.kind, c.vertices}}, scene.step(), options)[0];
+  return narrow_phase(std::vector<FeaturePair>{{c.kind, c.vertices}}, scene.step(), options)[0];
 }
 
 // Bugs: in lanes, the normal points to another side than for single pairs, exact decisions, or the paper's solver.

@@ -65,8 +65,8 @@ TEST(PairDistance, AFractionIsKeptAsLongAsTheDetectorSays) {
         const SafeStep alone = safe_step({kind, kAll}, {start, end}, fraction, {.min_separation = 0.01});
         Detector detector = detector_of(kind);
         const SafeStep step = detector.safe_step({start, end}, fraction, {.min_separation = 0.01});
-        EXPECT_EQ(alone.lower, step.lower);
-        EXPECT_EQ(alone.upper, step.upper);
+        EXPECT_EQ(alone.toi_lower, step.toi_lower);
+        EXPECT_EQ(alone.toi_upper, step.toi_upper);
         ASSERT_EQ(alone.pair.has_value(), step.pair.has_value());
         if (!alone.pair) continue;
         ++limits;
@@ -100,27 +100,27 @@ TEST(PairDistance, BesideANeedleALimitsDistanceIsAsNearAsAnyOther) {
 TEST(PairDistance, APairThatIsApartAtTheStartHasAllOfItsDistanceThere) {
   const std::vector<Point> start{{0, 0, 0}, {0x1p-1074, 0, 0}}, end{{0x1p1000, 0, 0}, {0x1p-1074, 0, 0}};
   const SafeStep apart = safe_step({PairKind::vertex_vertex, {0, 1, -1, -1}}, {start, end}, 0.1);
-  EXPECT_EQ(apart.lower, 0);
-  EXPECT_GT(apart.upper, 0);
+  EXPECT_EQ(apart.toi_lower, 0);
+  EXPECT_GT(apart.toi_upper, 0);
   const std::vector<Point> touching{{0, 0, 0}, {0, 0, 0}};
   const SafeStep none = safe_step({PairKind::vertex_vertex, {0, 1, -1, -1}}, {touching, end}, 0.1);
-  EXPECT_EQ(none.lower, 0);
-  EXPECT_EQ(none.upper, 0);
+  EXPECT_EQ(none.toi_lower, 0);
+  EXPECT_EQ(none.toi_upper, 0);
 }
 
 TEST(PairDistance, NothingAfterTheLatestTimeOfInterestMatters) {
   // A point goes from height 1 to -3 over a point at rest: half of the distance is left at t = 1/8.
   const std::vector<Point> start{{0, 0, 1}, {0, 0, 0}}, end{{0, 0, -3}, {0, 0, 0}};
-  const Pair pair{PairKind::vertex_vertex, {0, 1, -1, -1}};
-  EXPECT_NEAR(safe_step(pair, {start, end}, 0.5).lower, 0.125, 1e-6);
+  const FeaturePair pair{PairKind::vertex_vertex, {0, 1, -1, -1}};
+  EXPECT_NEAR(safe_step(pair, {start, end}, 0.5).toi_lower, 0.125, 1e-6);
   const SafeStep early = safe_step(pair, {start, end}, 0.5, {.latest = 0.1});
-  EXPECT_EQ(early.lower, 0.1);
+  EXPECT_EQ(early.toi_lower, 0.1);
   EXPECT_FALSE(early.pair.has_value());
-  EXPECT_EQ(safe_step(pair, {start, end}, 0, {.latest = 0.2}).lower, 0.2);
-  EXPECT_NEAR(safe_step(pair, {start, end}, 0, {.latest = 0.3}).lower, 0.25, 1e-9);
+  EXPECT_EQ(safe_step(pair, {start, end}, 0, {.latest = 0.2}).toi_lower, 0.2);
+  EXPECT_NEAR(safe_step(pair, {start, end}, 0, {.latest = 0.3}).toi_lower, 0.25, 1e-9);
 }
 
-TEST(Pair, ALatestTimeOfInterestOnlyMakesLaterPairsFree) {
+TEST(FeaturePair, ALatestTimeOfInterestOnlyMakesLaterPairsFree) {
   test::Random random(11);
   int early = 0, late = 0;
   for (const auto& family : test::kFamilies)
@@ -143,18 +143,18 @@ TEST(Pair, ALatestTimeOfInterestOnlyMakesLaterPairsFree) {
 
 TEST(PairDistance, BadInputIsNamed) {
   const std::vector<Point> points(4, Point{0, 0, 0}), fewer(3);
-  const Pair pair{PairKind::vertex_face, kAll};
-  EXPECT_THROW(distance_of({PairKind::vertex_face, {0, 1, 2, 4}}, points), InvalidStep);
-  EXPECT_THROW(distance_of({static_cast<PairKind>(7), kAll}, points), InvalidStep);
-  EXPECT_THROW(safe_step(pair, {points, fewer}, 0.5), InvalidStep);
-  EXPECT_THROW(safe_step(pair, {points, points}, 1), InvalidOptions);
-  EXPECT_THROW(safe_step(pair, {points, points}, std::nan("")), InvalidOptions);
+  const FeaturePair pair{PairKind::vertex_face, kAll};
+  EXPECT_THROW((void)distance_of({PairKind::vertex_face, {0, 1, 2, 4}}, points), InvalidStep);
+  EXPECT_THROW((void)distance_of({static_cast<PairKind>(7), kAll}, points), InvalidStep);
+  EXPECT_THROW((void)safe_step(pair, {points, fewer}, 0.5), InvalidStep);
+  EXPECT_THROW((void)safe_step(pair, {points, points}, 1), InvalidOptions);
+  EXPECT_THROW((void)safe_step(pair, {points, points}, std::nan("")), InvalidOptions);
   for (const double latest : {-0.1, 1.5, std::nan("")})
-    EXPECT_THROW(safe_step(pair, {points, points}, 0.5, {.latest = latest}), InvalidOptions);
+    EXPECT_THROW((void)safe_step(pair, {points, points}, 0.5, {.latest = latest}), InvalidOptions);
   auto bad = points;
   bad[2][1] = std::numeric_limits<double>::infinity();
   try {
-    safe_step(pair, {points, bad}, 0.5);
+    (void)safe_step(pair, {points, bad}, 0.5);
     FAIL() << "nothing was thrown";
   } catch (const InvalidStep& e) {
     EXPECT_STREQ(e.what(),
@@ -174,7 +174,7 @@ TEST(PairDistance, ATinyGapDoesNotEndAStepThatKeepsIt) {
                                {9.6390917394310236, -10.377895459532738, -6.5939418468624353},
                                {-1110.2547781504691, -565.18007609248161, 186.16064522042871}};
   for (const double keep : {0.05, 0.09, 0.1, 0.11, 0.125, 0.2, 0.3, 0.5, 0.7})
-    EXPECT_EQ(safe_step({PairKind::edge_edge, {0, 1, 2, 3}}, {start, end}, keep).lower, 1) << keep;
+    EXPECT_EQ(safe_step({PairKind::edge_edge, {0, 1, 2, 3}}, {start, end}, keep).toi_lower, 1) << keep;
 }
 
 }  // namespace

@@ -6,8 +6,7 @@
 
 #include "scenes/random.hpp"
 #include "support/contact_sets.hpp"
-#include "support/yardstick/methods.hpp"
-#include "support/yardstick/pairs.hpp"
+#include "support/copied.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {
@@ -51,7 +50,7 @@ TEST(CurvesInThePlane, MeetExactlyWhereTheOracleSaysSo) {
       yardstick::Options options;
       options.method = method;
       Detector detector = yardstick::make_detector(scene.mesh(), options);
-      const std::vector<Contact> contacts = detector.contacts(scene.step());
+      const std::vector<Contact> contacts = copied(detector.contacts(scene.step()));
       EXPECT_EQ(certified_names_of(contacts), truth) << name_of(method) << ", seed " << seed;
       EXPECT_EQ(contacts.size(), truth.size());
     }
@@ -88,7 +87,7 @@ TEST(CurvesInThePlane, HaveDistancesAndStepLengths) {
   EXPECT_EQ(near[0].u, 0.25);
   EXPECT_EQ(weights_of(near[0].kind, near[0].u, near[0].v), (std::array<double, 4>{0.75, 0.25, -1, 0}));
   EXPECT_EQ(near[0].direction, (Point{0, -1, 0}));
-  EXPECT_NEAR(detector.safe_step(scene.step(), 0.5).lower, 0.375, 1e-9);
+  EXPECT_NEAR(detector.safe_step(scene.step(), 0.5).toi_lower, 0.375, 1e-9);
   EXPECT_NEAR(detector.earliest(scene.step(), {.min_separation = 1.0}).toi_lower, 0.5, 1e-9);
 }
 

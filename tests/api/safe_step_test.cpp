@@ -112,7 +112,7 @@ TEST_P(StepLength, SampledDistancesStayAboveTheFraction) {
   for (const double fraction : {0.1, 0.7}) {
     const SafeStep safe = keep(scene, fraction);
     for (const double part : {0.25, 0.5, 0.875, 1.0}) {
-      const std::vector<Point> now = between(scene.start, scene.end, part * safe.lower);
+      const std::vector<Point> now = between(scene.start, scene.end, part * safe.toi_lower);
       const Step step{scene.start, now};
       yardstick::for_each_pair(mesh, {}, [&](PairKind kind, const PairVertices& v) {
         const PairPoints points = points_of(step, v);
@@ -171,8 +171,8 @@ TEST_P(StepLength, UnitOfLengthChangesNoBit) {
       for (Point& p : *points)
         for (double& x : p) x = std::ldexp(x, exponent);
     const SafeStep safe = keep(scaled, 0.2);
-    EXPECT_EQ(safe.lower, reference.lower) << exponent;
-    EXPECT_EQ(safe.upper, reference.upper) << exponent;
+    EXPECT_EQ(safe.toi_lower, reference.toi_lower) << exponent;
+    EXPECT_EQ(safe.toi_upper, reference.toi_upper) << exponent;
   }
 }
 
@@ -195,8 +195,8 @@ TEST_P(StepLength, DifferencesThatOverflowChangeNoBit) {
     const SafeStep reference = keep(scene, fraction);
     for (const Method method : kMethods) {
       const SafeStep safe = keep(large, fraction, with(method));
-      EXPECT_EQ(safe.lower, reference.lower) << name_of(method) << " " << fraction;
-      EXPECT_EQ(safe.upper, reference.upper) << name_of(method) << " " << fraction;
+      EXPECT_EQ(safe.toi_lower, reference.toi_lower) << name_of(method) << " " << fraction;
+      EXPECT_EQ(safe.toi_upper, reference.toi_upper) << name_of(method) << " " << fraction;
     }
   }
 }
@@ -208,11 +208,11 @@ TEST_P(StepLength, EndsBeforeTheEarliestContact) {
     for (const Method method : kMethods) {
       const EarliestContact first = yardstick::make_detector(scene.mesh(), with(method)).earliest(scene.step());
       const SafeStep none = keep(scene, 0, with(method)), tiny = keep(scene, 1e-6), half = keep(scene, 0.5);
-      EXPECT_EQ(none.lower, first.toi_lower);
-      EXPECT_EQ(none.upper, none.lower == 0 ? 0 : first.toi_upper);
+      EXPECT_EQ(none.toi_lower, first.toi_lower);
+      EXPECT_EQ(none.toi_upper, none.toi_lower == 0 ? 0 : first.toi_upper);
       EXPECT_EQ(none.pair.has_value(), first.contact.has_value());
-      EXPECT_LE(tiny.lower, first.toi_upper);
-      EXPECT_LE(half.lower, tiny.lower);
+      EXPECT_LE(tiny.toi_lower, first.toi_upper);
+      EXPECT_LE(half.toi_lower, tiny.toi_lower);
     }
   }
 }
@@ -226,7 +226,7 @@ TEST(SafeStep, IsWholeOfWhatStandsStillHoweverMuchIsKept) {
     const Scene scene = scenes::scene_by_name(name, 200, 1);
     Detector detector(scene.mesh());
     for (const double lost : {0.5, 0x1p-25, 0x1p-53})
-      EXPECT_EQ(detector.safe_step({scene.start, scene.start}, 1 - lost).lower, 1) << name << ", " << lost;
+      EXPECT_EQ(detector.safe_step({scene.start, scene.start}, 1 - lost).toi_lower, 1) << name << ", " << lost;
   }
 }
 

@@ -33,11 +33,11 @@ TEST_P(TruncateFloats, FloatsAreProvenAsTheyAreStored) {
       scene.start = as_floats(scene.start);
       SCOPED_TRACE(testing::Message() << scene.name << " at " << away << ", separation " << separation);
       Detector detector = yardstick::make_detector(scene.mesh(), with(Method::tamis, separation));
-      const TruncatedStep to = detector.truncate(scene.step(), 0.1, {}, Stored::float32);
+      const TruncatedStep to = detector.truncate(scene.step(), 0.1, {}, StoredType::float32);
       expect_proven_floats(detector, scene, to);
       expect_kept(scene, to.positions, 0.1, separation);
       scene.end = as_floats(scene.end);
-      EXPECT_EQ(detector.truncate(scene.step(), 0.1, {}, Stored::float32).positions, to.positions);
+      EXPECT_EQ(detector.truncate(scene.step(), 0.1, {}, StoredType::float32).positions, to.positions);
     }
 }
 
@@ -56,7 +56,7 @@ TEST(Truncate, LeavesRoomForFloatsHoweverLittleThereIs) {
         scene.start = as_floats(scene.start);
         Detector detector = yardstick::make_detector(scene.mesh(), with(Method::tamis, separation));
         if (!detector.is_free({scene.start, scene.start})) continue;  // rounding has closed the gap
-        const TruncatedStep to = detector.truncate(scene.step(), 0.1, {}, Stored::float32);
+        const TruncatedStep to = detector.truncate(scene.step(), 0.1, {}, StoredType::float32);
         SCOPED_TRACE(testing::Message() << ulps << " ulps above, at " << far << ", separation " << separation);
         EXPECT_TRUE(to.is_free);
         expect_proven_floats(detector, scene, to);
@@ -72,7 +72,7 @@ TEST(Truncate, LeavesRoomForFloatsHoweverLittleThereIs) {
 TEST(Truncate, TheWholeStepEndsAtFloatsToo) {
   Scene scene = two_falls(1, 0.1);
   scene.start = as_floats(scene.start);
-  const TruncatedStep to = Detector(scene.mesh()).truncate(scene.step(), 0.1, {}, Stored::float32);
+  const TruncatedStep to = Detector(scene.mesh()).truncate(scene.step(), 0.1, {}, StoredType::float32);
   EXPECT_EQ(to.positions, as_floats(scene.end));
   EXPECT_NE(to.positions, scene.end);
   EXPECT_EQ(to.fractions, std::vector<double>(scene.start.size(), 1.0));

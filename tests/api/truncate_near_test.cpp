@@ -209,7 +209,7 @@ TEST(Truncate, APointGoesOnHoweverFineABodyIsElsewhere) {
 // Bug: a face that slides within its plane, or leaves it by rounding only, was held by a point that falls on it: its
 // side of the planes had no slack at all.
 TEST(Truncate, AFaceSlidesBelowWhatFallsOnIt) {
-  for (const Stored stored : {Stored::float64, Stored::float32})
+  for (const StoredType stored : {StoredType::float64, StoredType::float32})
     for (int turn = 0; turn < 24; ++turn) {
       const double c = std::cos(0.1 * turn), s = std::sin(0.1 * turn);
       const auto turned = [&](const Point& p) { return Point{p[0], c * p[1] - s * p[2], s * p[1] + c * p[2]}; };
@@ -221,7 +221,7 @@ TEST(Truncate, AFaceSlidesBelowWhatFallsOnIt) {
       start.push_back(turned({0.25, 0.25, 0.7}));
       end.push_back(turned({0.25, 0.25, -0.3}));
       add_touching(start);
-      if (stored == Stored::float32) start = as_floats(start);
+      if (stored == StoredType::float32) start = as_floats(start);
       end.insert(end.end(), start.begin() + 4, start.end());
       const auto to = Detector(Mesh(8, {{0, 1, 2}, {4, 5, 6}}, {}, {3, 7})).truncate({start, end}, 0.1, {}, stored);
       for (std::size_t v = 0; v < 3; ++v) EXPECT_GT(to.fractions[v], 0.5) << turn << ", vertex " << v;
@@ -236,7 +236,7 @@ TEST(Truncate, LeavesOtherAnswersAlone) {
   const auto& near = detector.pairs_within(scene.start, 0.6);
   const auto before = near;
   ASSERT_EQ(before.size(), 1u);
-  detector.truncate(scene.step());
+  (void)detector.truncate(scene.step());
   ASSERT_EQ(near.size(), 1u);
   EXPECT_EQ(near[0].vertices, before[0].vertices);
 }

@@ -14,7 +14,7 @@ namespace {
 /// The message that refuses to truncate the scene's step to floats; empty if it is not refused.
 std::string refusal(const Scene& scene) {
   try {
-    Detector(scene.mesh()).truncate(scene.step(), 0.1, {}, Stored::float32);
+    (void)Detector(scene.mesh()).truncate(scene.step(), 0.1, {}, StoredType::float32);
   } catch (const InvalidStep& error) {
     return error.what();
   }
@@ -39,8 +39,8 @@ TEST(Truncate, RefusesFractionsThatAreNone) {
   const Scene scene = two_falls(0.5, 1);
   Detector detector(scene.mesh());
   for (const double fraction : {0.0, -0.1, 1.0, std::numeric_limits<double>::quiet_NaN()})
-    EXPECT_THROW(detector.truncate(scene.step(), fraction), InvalidOptions) << fraction;
-  EXPECT_THROW(detector.truncate(scene.step(), 0.1, {.min_separation = -1.0}), InvalidOptions);
+    EXPECT_THROW((void)detector.truncate(scene.step(), fraction), InvalidOptions) << fraction;
+  EXPECT_THROW((void)detector.truncate(scene.step(), 0.1, {.min_separation = -1.0}), InvalidOptions);
 }
 
 }  // namespace

@@ -31,7 +31,8 @@ TEST_P(TruncateScene, EveryPairKeepsTheFractionOfItsDistance) {
         if (to.is_free) {
           EXPECT_TRUE(detector.is_free({scene.start, to.positions}));
         }
-        if (detector.safe_step(scene.step(), std::min(1.25 * fraction, fraction + 0.25 * (1 - fraction))).lower == 1) {
+        if (detector.safe_step(scene.step(), std::min(1.25 * fraction, fraction + 0.25 * (1 - fraction))).toi_lower ==
+            1) {
           EXPECT_EQ(to.positions, scene.end);
         }
       }

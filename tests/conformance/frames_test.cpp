@@ -5,10 +5,12 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <sstream>
 
 #include "files/mesh/mesh_file.hpp"
 #include "support/contact_sets.hpp"
+#include "support/copied.hpp"
 #include "support/test_data.hpp"
 #include "support/test_names.hpp"
 #include "support/yardstick/methods.hpp"
@@ -80,10 +82,10 @@ class RecordedStep : public testing::TestWithParam<Frames> {
   std::vector<Contact> find(Method method) const {
     yardstick::Options options;
     options.method = method;
-    return yardstick::make_detector(io::mesh_of(start), options).contacts({start.positions, end.positions});
+    return contacts_of(yardstick::make_detector(io::mesh_of(start), options), {start.positions, end.positions});
   }
 
-  static PairSet names(const std::vector<Contact>& contacts) {
+  static PairSet names(std::span<const Contact> contacts) {
     PairSet result;
     for (const Contact& c : contacts) result.insert(in_one_order({c.kind, c.vertices}));
     return result;

@@ -1,6 +1,8 @@
 // All published queries through the two calls for one pair.
 #include <gtest/gtest.h>
 
+#include "paper/detector.hpp"
+#include "support/copied.hpp"
 #include "support/test_data.hpp"
 #include "support/yardstick/methods.hpp"
 #include "tamis/pair.hpp"
@@ -24,7 +26,7 @@ std::vector<Contact> find(const Query& q, yardstick::Method method) {
   const bool is_vf = q.kind == PairKind::vertex_face;
   Mesh mesh = is_vf ? Mesh(4, {{1, 2, 3}}, {}, {0}) : Mesh(4, {}, {{0, 1}, {2, 3}});
   const Positions start(q.motion.start), end(q.motion.end);
-  return yardstick::make_detector(std::move(mesh), options).contacts({start, end});
+  return contacts_of(yardstick::make_detector(std::move(mesh), options), {start, end});
 }
 
 class Queries : public testing::Test {

@@ -11,7 +11,7 @@ int main() {
   const RowMajor x = RowMajor::Zero(3, 3), v = x;
   {
     const RowMajor y = x + v;
-    detector.contacts({x, y});
+    (void)detector.contacts({x, y});
   }
   {  // says: A temporary may be gone when the question is asked: keep it in a variable.
     const tamis::Step step{x, (x + v).eval()};
@@ -24,7 +24,7 @@ int main() {
   }
   {  // says: Floats, or an expression without memory? tamis::points_of(x) copies it as doubles.
     const Eigen::MatrixX3f floats = Eigen::MatrixX3f::Zero(3, 3);
-    detector.pairs_within(floats, 1);
+    (void)detector.pairs_within(floats, 1);
   }
   {  // says: Floats? tamis::points_of(x).
     const std::vector<Eigen::Vector3f> floats(3);
@@ -32,10 +32,10 @@ int main() {
   }
   {  // says: Flat doubles, x y z x y z? Positions(data, vertices).
     const std::vector<double> flat(9);
-    detector.pairs_within(flat, 1);
+    (void)detector.pairs_within(flat, 1);
   }
   {  // says: Column-major? Use a RowMajor matrix, a Matrix3Xd, or tamis::points_of(matrix).
     const Eigen::MatrixXd columns = x;
-    detector.pairs_within(columns, 1);
+    (void)detector.pairs_within(columns, 1);
   }
 }

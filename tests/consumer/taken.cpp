@@ -48,13 +48,13 @@ int main() {
   const std::vector<Eigen::Vector3d> vectors(3);
   // Bug: -Wextra warns of what {.threads = 1} leaves at its default.
   tamis::Detector detector(tamis::Mesh(3, {{0, 1, 2}}), {.threads = 1});
-  detector.contacts({points, vectors});
+  (void)detector.contacts({points, vectors});
   const tamis::PairFilter filter{.group_of_vertex = {0, 0, 0}};
   const tamis::Options options{.min_separation = 1e-3, .filter = filter};
   const tamis::PairOptions pair{.latest = 0.5};
   const tamis::PairOptions list{.threads = 1};
   const tamis::PairOptions path{.tolerance = 1e-6};
   const tamis::Pose pose{.rotation = {0, 0, 1}};
-  const tamis::Link link{.end = pose};
+  const tamis::RigidLink link{.end = pose};
   return options.threads + int(pair.latest + path.tolerance) + list.threads + int(link.start.position[0]);
 }

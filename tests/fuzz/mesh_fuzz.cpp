@@ -4,6 +4,7 @@
 // been asked before.
 #include <algorithm>
 #include <set>
+#include <span>
 #include <sstream>
 
 #include "fuzz/moving_points.hpp"
@@ -43,7 +44,7 @@ MovingMesh take_mesh(ByteSource& bytes) {
 using Name = std::tuple<PairKind, std::array<Index, 4>>;
 using Names = std::set<Name>;
 
-Names names_of(const std::vector<Contact>& contacts) {
+Names names_of(std::span<const Contact> contacts) {
   Names names;
   for (const Contact& c : contacts) names.insert({c.kind, c.vertices});
   return names;
@@ -82,7 +83,7 @@ void check_questions(const MovingMesh& m, Detector& detector, const Names& names
   const EarliestContact earliest = detector.earliest(m.step());
   require(earliest.contact.has_value() == !names.empty(), "earliest and contacts differ", describe);
   require(detector.is_free(m.step()) == names.empty(), "is_free and contacts differ", describe);
-  detector.contacts({m.points.end, m.points.start});
+  (void)detector.contacts({m.points.end, m.points.start});
   require(names_of(detector.contacts(m.step())) == names, "an earlier question changes the answer", describe);
 }
 
@@ -99,7 +100,7 @@ void check(const MovingMesh& m, double separation) {
 bool are_same(const SafeStep& a, const SafeStep& b) {
   const bool same_pair = a.pair.has_value() == b.pair.has_value() &&
                          (!a.pair || (a.pair->kind == b.pair->kind && a.pair->vertices == b.pair->vertices));
-  return a.lower == b.lower && a.upper == b.upper && same_pair;
+  return a.toi_lower == b.toi_lower && a.toi_upper == b.toi_upper && same_pair;
 }
 
 void check_step_lengths(const MovingMesh& m, double fraction, double separation) {
@@ -109,9 +110,10 @@ void check_step_lengths(const MovingMesh& m, double fraction, double separation)
   const SafeStep found = detector.safe_step(m.step(), fraction);
   const auto describe = [&] { return text_of(m) + "fraction " + std::to_string(fraction); };
   require(are_same(found, truth), "step lengths differ", describe);
-  require(0 <= found.lower && found.lower <= found.upper && found.upper <= 1, "no bracket of a step", describe);
-  require(found.lower <= detector.earliest(m.step()).toi_upper, "a step length beyond the first contact", describe);
-  detector.safe_step({m.points.end, m.points.start}, fraction);
+  require(0 <= found.toi_lower && found.toi_lower <= found.toi_upper && found.toi_upper <= 1, "no bracket of a step",
+          describe);
+  require(found.toi_lower <= detector.earliest(m.step()).toi_upper, "a step length beyond the first contact", describe);
+  (void)detector.safe_step({m.points.end, m.points.start}, fraction);
   require(are_same(detector.safe_step(m.step(), fraction), truth), "an earlier question changes a step length",
           describe);
 }

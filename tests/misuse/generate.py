@@ -14,16 +14,16 @@ NOT_ASKED = {
     "components.hpp": "takes what is made", "contact.hpp": "answers", "error.hpp": "exceptions",
     "from_matrix.hpp": "refused by the compiler", "proximity.hpp": "answers", "options.hpp": "names; its structs are here",
     "positions.hpp": "views", "rigid_path.hpp": "asked through C",
-    "spline_path.hpp": "asked through C", "statistics.hpp": "answers", "step.hpp": "a struct", "step_length.hpp": "answers", "stored.hpp": "names", "tamis.h": "asked through C",
-    "tamis.hpp": "includes the others", "busy_guard.hpp": "takes what is made", "world.hpp": "asked by tests/worlds",
+    "spline_path.hpp": "asked through C", "statistics.hpp": "answers", "step.hpp": "a struct", "step_length.hpp": "answers", "stored_type.hpp": "names", "tamis.h": "asked through C",
+    "tamis.hpp": "includes the others", "world.hpp": "asked by tests/worlds",
 }
-STRUCTS = ("Options", "PairFilter", "QueryOptions", "PairOptions")
+STRUCTS = ("Options", "PairFilter", "QueryOptions", "PathOptions", "PairOptions")
 # Functions that return -1 if they find nothing: no argument is wrong for them.
 LOOKS_UP = ("find_edge", "find_face")
 
 
 def without_comments(path: pathlib.Path) -> str:
-    return re.sub(r"//.*|/\*.*?\*/", "", path.read_text())
+    return re.sub(r"//.*|/\*.*?\*/|\[\[nodiscard\]\] ", "", path.read_text())
 
 
 def split(parameters: str) -> "list[str]":
@@ -50,7 +50,7 @@ def is_output(parameter: str) -> bool:
 
 def functions(text: str) -> "list[tuple[str, list[str]]]":
     """Return name and parameters of the functions and methods that are declared with parameters and without a body."""
-    found = re.findall(r"^ *(?:explicit |(?:[\w:<>&]+(?: [\w:<>&]+)*? ))?(\w+)\(([^;{}]*(?:\{\}[^;{}]*)*)\)(?: const| &)?;", text,
+    found = re.findall(r"^ *(?!return )(?:explicit |(?:[\w:<>&]+(?: [\w:<>&]+)*? ))?(\w+)\(([^;{}]*(?:\{\}[^;{}]*)*)\)(?: const| &)?;", text,
                        re.MULTILINE)
     return [(name, split(listed)) for name, listed in found if listed.strip() and name not in LOOKS_UP]
 

@@ -48,8 +48,8 @@ class Right {
   static double get(Type<double>) { return 0.5; }
   static Index get(Type<Index>) { return 6; }
   static PairKind get(Type<PairKind>) { return PairKind::vertex_face; }
-  static Pair get(Type<Pair>) { return {PairKind::vertex_face, {3, 0, 1, 2}}; }
-  std::vector<Pair>& get(Type<std::span<const Pair>>) { return pairs_; }
+  static FeaturePair get(Type<FeaturePair>) { return {PairKind::vertex_face, {3, 0, 1, 2}}; }
+  std::vector<FeaturePair>& get(Type<std::span<const FeaturePair>>) { return pairs_; }
   std::vector<PairResult>& get(Type<std::span<PairResult>>) { return results_; }
   std::span<const Point> get(Type<std::span<const Point>>) { return std::span(start).first(4); }
   template <class T>
@@ -68,16 +68,14 @@ class Right {
     std::copy_n(start.begin(), n, result.begin());
     return result;
   }
-  std::vector<Contact>& get(Type<std::vector<Contact>>) { return contacts_; }
   template <class T>
   static T get(Type<T>) {  // options, and lists of nothing
     return {};
   }
 
   BezierPath path_{{start, end}};
-  std::vector<Pair> pairs_{get(Type<Pair>())};
+  std::vector<FeaturePair> pairs_{get(Type<FeaturePair>())};
   std::vector<PairResult> results_ = std::vector<PairResult>(1);
-  std::vector<Contact> contacts_;
 };
 
 inline std::vector<Wrong<double>> wrong_values(Type<double>) {
@@ -148,13 +146,13 @@ std::vector<Wrong<std::vector<Row>>> wrong_values(Type<std::vector<Row>>) {
   return found;
 }
 
-inline std::vector<Wrong<Pair>> wrong_values(Type<Pair>) {
+inline std::vector<Wrong<FeaturePair>> wrong_values(Type<FeaturePair>) {
   return {{"no kind", {static_cast<PairKind>(kNoName), {3, 0, 1, 2}}},
           {"a negative vertex", {PairKind::vertex_face, {3, 0, 1, -1}}},
           {"a vertex that is not there", {PairKind::edge_edge, {3, 0, 1, kNoName}}}};
 }
 
-inline auto wrong_values(Type<std::span<const Pair>>) { return wrong_values(Type<std::vector<Pair>>()); }
+inline auto wrong_values(Type<std::span<const FeaturePair>>) { return wrong_values(Type<std::vector<FeaturePair>>()); }
 
 inline std::vector<Wrong<std::vector<PairResult>>> wrong_values(Type<std::span<PairResult>>) {
   return {{"of none", {}}, {"of two", std::vector<PairResult>(2)}};

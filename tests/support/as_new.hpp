@@ -70,8 +70,8 @@ inline void expect_as_new(Detector& kept, const Step& step, Asked question, cons
       break;
     case Asked::safe_step: {
       const SafeStep a = kept.safe_step(step, 0.2, own), b = fresh.safe_step(step, 0.2, own);
-      EXPECT_EQ(a.lower, b.lower) << where;
-      EXPECT_EQ(a.upper, b.upper) << where;
+      EXPECT_EQ(a.toi_lower, b.toi_lower) << where;
+      EXPECT_EQ(a.toi_upper, b.toi_upper) << where;
       break;
     }
     case Asked::at_rest:

@@ -1,6 +1,7 @@
 // Contacts as rows of numbers, for comparisons to the last bit.
 #pragma once
 #include <array>
+#include <span>
 #include <vector>
 
 #include "tamis/contact.hpp"
@@ -24,7 +25,7 @@ inline std::array<double, 13> bits_of(const Contact& c) {
           c.normal[2]};
 }
 
-inline std::vector<std::array<double, 13>> bits_of(const std::vector<Contact>& contacts) {
+inline std::vector<std::array<double, 13>> bits_of(std::span<const Contact> contacts) {
   std::vector<std::array<double, 13>> rows;
   for (const Contact& c : contacts) rows.push_back(bits_of(c));
   return rows;

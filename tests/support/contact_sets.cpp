@@ -3,21 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <sstream>
 
-#include "support/yardstick/pairs.hpp"
+#include "paper/pairs.hpp"
+#include "support/copied.hpp"
 
 namespace tamis::test {
 
 using scenes::Scene;
 
-PairSet names_of(const std::vector<Contact>& contacts) {
+PairSet names_of(std::span<const Contact> contacts) {
   PairSet names;
   for (const Contact& c : contacts) names.insert({c.kind, c.vertices});
   return names;
 }
 
-PairSet certified_names_of(const std::vector<Contact>& contacts) {
+PairSet certified_names_of(std::span<const Contact> contacts) {
   PairSet names;
   for (const Contact& c : contacts)
     if (c.certainty == Certainty::certified) names.insert({c.kind, c.vertices});
@@ -25,7 +27,7 @@ PairSet certified_names_of(const std::vector<Contact>& contacts) {
 }
 
 std::vector<Contact> find_contacts(const Scene& scene, const yardstick::Options& options) {
-  return yardstick::make_detector(scene.mesh(), options).contacts(scene.step());
+  return contacts_of(yardstick::make_detector(scene.mesh(), options), scene.step());
 }
 
 PairSet find_names(const Scene& scene, const yardstick::Options& options) {

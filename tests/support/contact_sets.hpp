@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,8 @@ struct PairName {
 };
 using PairSet = std::set<PairName>;
 
-PairSet names_of(const std::vector<Contact>& contacts);
-PairSet certified_names_of(const std::vector<Contact>& contacts);
+PairSet names_of(std::span<const Contact> contacts);
+PairSet certified_names_of(std::span<const Contact> contacts);
 
 /// All methods. They must all give the same set.
 inline constexpr std::array kMethods{Method::brute, Method::tamis};

@@ -1,6 +1,7 @@
 #include "support/every_question.hpp"
 
 #include <cmath>
+#include <span>
 #include <type_traits>
 
 #include "scenes/shapes.hpp"
@@ -19,7 +20,7 @@ void append_all(Numbers& numbers, const Numbers3& more) {
   for (const auto x : more) numbers.push_back(static_cast<double>(x));
 }
 
-Numbers numbers_of(const std::vector<Contact>& contacts) {
+Numbers numbers_of(std::span<const Contact> contacts) {
   Numbers numbers;
   for (const Contact& c : contacts) {
     append(numbers, {double(c.kind), double(c.certainty), c.toi_lower, c.toi_upper, c.u, c.v});
@@ -35,7 +36,7 @@ Numbers numbers_of(const EarliestContact& first) {
   return numbers;
 }
 
-Numbers numbers_of(const std::vector<NearPair>& pairs) {
+Numbers numbers_of(std::span<const NearPair> pairs) {
   Numbers numbers;
   for (const NearPair& p : pairs) {
     append(numbers, {double(p.kind), p.distance, p.u, p.v});
@@ -46,12 +47,12 @@ Numbers numbers_of(const std::vector<NearPair>& pairs) {
 }
 
 Numbers numbers_of(const SafeStep& safe) {
-  Numbers numbers{safe.lower, safe.upper};
+  Numbers numbers{safe.toi_lower, safe.toi_upper};
   if (safe.pair) append_all(numbers, numbers_of(std::vector{*safe.pair}));
   return numbers;
 }
 
-Numbers numbers_of(const std::vector<Intersection>& intersections) {
+Numbers numbers_of(std::span<const Intersection> intersections) {
   Numbers numbers;
   for (const Intersection& i : intersections) {
     append(numbers, {i.s_lower, i.s_upper, i.u, i.v});
@@ -82,12 +83,6 @@ std::vector<AnyQuestion> questions_of(const scenes::Scene& scene, double distanc
   const Step step = scene.step();
   const double separation = 0.1 * distance;
   return {question("contacts", [=](Detector& d) -> decltype(auto) { return d.contacts(step); }),
-          question("contacts in the caller's vector",
-                   [=](Detector& d) {
-                     std::vector<Contact> contacts;
-                     d.contacts(step, contacts);
-                     return contacts;
-                   }),
           question("contacts within a separation",
                    [=](Detector& d) -> decltype(auto) { return d.contacts(step, {.min_separation = separation}); }),
           question("earliest", [=](Detector& d) { return d.earliest(step); }),

@@ -15,8 +15,8 @@ inline SafeStep keep(const scenes::Scene& scene, double fraction, const yardstic
 }
 
 inline void expect_same(const SafeStep& a, const SafeStep& b, const std::string& where) {
-  EXPECT_EQ(a.lower, b.lower) << where;
-  EXPECT_EQ(a.upper, b.upper) << where;
+  EXPECT_EQ(a.toi_lower, b.toi_lower) << where;
+  EXPECT_EQ(a.toi_upper, b.toi_upper) << where;
   ASSERT_EQ(a.pair.has_value(), b.pair.has_value()) << where;
   if (!a.pair) return;
   EXPECT_EQ(a.pair->kind, b.pair->kind) << where;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <set>
+#include <span>
 #include <tuple>
 
 #include "tamis/pair_distance.hpp"
@@ -68,13 +69,13 @@ TEST(World, AgreesWithRadii) {
     contacts += expect_same_contacts(world, {.min_separation = 0.01});
     expect_same_first(world);
     OneMesh mesh(world);
-    const std::vector<NearPair>& expected = mesh.detector.pairs_within(mesh.start, 0.02);
+    std::span<const NearPair> expected = mesh.detector.pairs_within(mesh.start, 0.02);
     const std::vector<BodyNearPair> found = world.world.pairs_within(0.02);
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(named(found[i]), named(expected[i], mesh));
     near += found.size();
     if (seed % 2) continue;
-    EXPECT_EQ(world.world.safe_step(0.3).lower, mesh.detector.safe_step(mesh.step(), 0.3).lower);
+    EXPECT_EQ(world.world.safe_step(0.3).toi_lower, mesh.detector.safe_step(mesh.step(), 0.3).toi_lower);
   }
   EXPECT_GT(contacts, 500u);
   EXPECT_GT(near, 200u);
@@ -86,7 +87,7 @@ TEST(World, AgreesAboutPairsAtRest) {
     SCOPED_TRACE(seed);
     TestWorld world = random_world(seed, 1.5, Motions::any);
     OneMesh mesh(world);
-    const std::vector<NearPair>& expected = mesh.detector.pairs_within(mesh.start, 0.1);
+    std::span<const NearPair> expected = mesh.detector.pairs_within(mesh.start, 0.1);
     const std::vector<BodyNearPair> found = world.world.pairs_within(0.1);
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -134,7 +135,7 @@ TEST(World, AgreesAboutHowFarTheStepMayGo) {
       OneMesh mesh(world);
       const SafeStep expected = mesh.detector.safe_step(mesh.step(), fraction);
       const BodyStep found = world.world.safe_step(fraction);
-      EXPECT_EQ(found.lower, expected.lower);
+      EXPECT_EQ(found.toi_lower, expected.toi_lower);
       ASSERT_EQ(found.pair.has_value(), expected.pair.has_value());
       if (found.pair) {
         EXPECT_EQ(named(*found.pair), named(*expected.pair, mesh));
@@ -168,19 +169,19 @@ TEST(World, KeepsDistancesWhereBodiesTurn) {
         const double start = distance_of({pair.kind, pair.vertices}, mesh.start).distance;
         return separation + keep * std::max(start - separation, 0.0);
       };
-      for (int sample = 1; step.lower > 0 && sample <= 8; ++sample) {
-        const std::vector<Point> points = points_at(mesh.path, step.lower * sample / 8);
+      for (int sample = 1; step.toi_lower > 0 && sample <= 8; ++sample) {
+        const std::vector<Point> points = points_at(mesh.path, step.toi_lower * sample / 8);
         for (const NearPair& near : mesh.detector.pairs_within(points, kSample))
           ASSERT_GE(near.distance, kept(near) - kRounding) << sample;
       }
-      EXPECT_EQ(step.pair.has_value(), step.lower < 1);
+      EXPECT_EQ(step.pair.has_value(), step.toi_lower < 1);
       if (!step.pair) {
         ++whole;
         continue;
       }
       ++ended;
-      EXPECT_NEAR(step.upper, step.lower, 1e-8);
-      const std::vector<Point> end = points_at(mesh.path, step.upper);
+      EXPECT_NEAR(step.toi_upper, step.toi_lower, 1e-8);
+      const std::vector<Point> end = points_at(mesh.path, step.toi_upper);
       double excess = 1;
       for (const NearPair& near : mesh.detector.pairs_within(end, 6))
         if (named(near, mesh) == named(*step.pair)) excess = near.distance - kept(near);
@@ -197,11 +198,11 @@ TEST(World, KnowsHowFarARodMayTurn) {
   const Shape ground(Mesh(3, {{0, 1, 2}}), {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}});
   World world(one_thread());
   world.add(ground, Static{{{0, 0, -1}, {}}});
-  world.add(rod, Rigid{interpolated({}, {{}, {0, 1, 0}})});
+  world.add(rod, Rigid{interpolated_chain({}, {{}, {0, 1, 0}})});
   for (const double keep : {0.0, 0.1, 0.5}) {
     const BodyStep step = world.safe_step(keep);
-    EXPECT_NEAR(step.lower, std::asin((1 - keep) / 2), 1e-8);
-    EXPECT_NEAR(step.upper, step.lower, 1e-8);
+    EXPECT_NEAR(step.toi_lower, std::asin((1 - keep) / 2), 1e-8);
+    EXPECT_NEAR(step.toi_upper, step.toi_lower, 1e-8);
     ASSERT_TRUE(step.pair);
     EXPECT_NEAR(step.pair->distance, 1, 1e-14);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 
 namespace tamis::test {
 namespace {
@@ -12,27 +13,28 @@ using ContactsByPair = std::map<NamedPair, Contact>;
 
 bool turns(const TestWorld& world, BodyId id) {
   const auto* rigid = std::get_if<Rigid>(&world.bodies[place(id)].motion);
-  return rigid && std::ranges::any_of(rigid->chain, [](const Link& l) { return l.start.rotation != l.end.rotation; });
+  return rigid &&
+         std::ranges::any_of(rigid->chain, [](const RigidLink& l) { return l.start.rotation != l.end.rotation; });
 }
 
 /// Of the detector: on curves where one of the two bodies turns, else on the step.
-ContactsByPair expected_contacts(const TestWorld& world, OneMesh& mesh, const QueryOptions& options) {
+ContactsByPair expected_contacts(const TestWorld& world, OneMesh& mesh, const PathOptions& options) {
   ContactsByPair expected;
-  const auto add = [&](const std::vector<Contact>& contacts, bool of_curves) {
+  const auto add = [&](std::span<const Contact> contacts, bool of_curves) {
     for (const Contact& c : contacts) {
       const NamedPair name = named(c, mesh);
       const BodyId a = name.vertices[0][0], b = name.vertices[c.kind == PairKind::edge_edge ? 2 : 1][0];
       if ((turns(world, a) || turns(world, b)) == of_curves) expected.emplace(name, c);
     }
   };
-  add(mesh.detector.contacts(mesh.step(), options), false);
+  add(mesh.detector.contacts(mesh.step(), {options.min_separation, options.at_start}), false);
   add(mesh.detector.contacts(mesh.path, options), true);
   return expected;
 }
 
 }  // namespace
 
-std::size_t expect_same_contacts(TestWorld& world, const QueryOptions& options) {
+std::size_t expect_same_contacts(TestWorld& world, const PathOptions& options) {
   OneMesh mesh(world);
   const ContactsByPair expected = expected_contacts(world, mesh, options);
   const std::vector<BodyContact> found = world.world.contacts(options);
@@ -53,7 +55,7 @@ std::size_t expect_same_contacts(TestWorld& world, const QueryOptions& options) 
   return found.size();
 }
 
-void expect_same_first(TestWorld& world, const QueryOptions& options) {
+void expect_same_first(TestWorld& world, const PathOptions& options) {
   double first = 1;
   for (const BodyContact& c : world.world.contacts(options)) first = std::min(first, c.toi_lower);
   const EarliestBodyContact earliest = world.world.earliest(options);

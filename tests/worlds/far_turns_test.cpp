@@ -21,7 +21,7 @@ Rigid far_turn(Random& random, const Point& place) {
   const Pose start{place, random.point(3)};
   Pose end{{place[0] + by[0], place[1] + by[1], place[2] + by[2]}, start.rotation};
   for (double& w : end.rotation) w += random.in(-5, 5);
-  return {interpolated(start, end)};
+  return {interpolated_chain(start, end)};
 }
 
 /// The first time at which each pair of features of two bodies may touch: of those that do.

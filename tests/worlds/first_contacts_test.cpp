@@ -48,7 +48,7 @@ void expect_same(const std::vector<BodyContact>& found, const std::map<BodyPair,
 }
 
 /// Of a world that has answered other questions, with one thread, and of a new one with four.
-std::size_t expect_first_of_all(TestWorld& kept, const QueryOptions& asked = {}) {
+std::size_t expect_first_of_all(TestWorld& kept, const PathOptions& asked = {}) {
   Options four;
   four.threads = 4;
   World fresh(four);
@@ -69,7 +69,7 @@ std::size_t expect_first_of_all(TestWorld& kept, const QueryOptions& asked = {})
   return expected.size();
 }
 
-std::size_t touching_pairs(double size, Motions motions, const QueryOptions& asked, double radius = 0) {
+std::size_t touching_pairs(double size, Motions motions, const PathOptions& asked, double radius = 0) {
   std::size_t pairs = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE(seed);
@@ -117,7 +117,8 @@ TEST(FirstContacts, OfEachPairHoweverLate) {
     World world;
     world.add(plate, Static{});
     const auto down = [&](double from, const Point& aside) {
-      return Rigid{interpolated({{aside[0], aside[1], from}, {}}, {{aside[0], aside[1], from - 1}, {0, 0, turn}})};
+      return Rigid{
+          interpolated_chain({{aside[0], aside[1], from}, {}}, {{aside[0], aside[1], from - 1}, {0, 0, turn}})};
     };
     world.add(blade, down(0.1, {0, 0, 0}));
     world.add(blade, down(0.9, {2, 0, 0}));
@@ -155,12 +156,12 @@ TEST(FirstContacts, AreRefusedWhereAPairTouchesAtTheStart) {
   const Shape plate({3, {{0, 1, 2}}}, {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}), point({1, {}, {}, {0}}, {{1, 1, 0}});
   World world;
   world.add(plate, Static{});
-  world.add(point, Rigid{interpolated({}, {{0, 0, 1}, {}})});
+  world.add(point, Rigid{interpolated_chain({}, {{0, 0, 1}, {}})});
   EXPECT_EQ(world.first_contacts().at(0).toi_upper, 0);
   EXPECT_TRUE(world.first_contacts({.at_start = AtStart::ignore}).empty());
-  EXPECT_THROW(world.first_contacts({.at_start = AtStart::fail}), InvalidStep);
-  EXPECT_THROW(world.first_contacts({.min_separation = -1}), InvalidOptions);
-  EXPECT_THROW(world.first_contacts({.tolerance = 0}), InvalidOptions);
+  EXPECT_THROW((void)world.first_contacts({.at_start = AtStart::fail}), InvalidStep);
+  EXPECT_THROW((void)world.first_contacts({.min_separation = -1}), InvalidOptions);
+  EXPECT_THROW((void)world.first_contacts({.tolerance = 0}), InvalidOptions);
 }
 
 std::uint64_t decided(const World& world) {
@@ -198,7 +199,7 @@ void add_gears(World& world) {
 TEST(FirstContacts, OfGearsNeedFewDecisions) {
   World world(one_thread());
   add_gears(world);
-  const QueryOptions asked{.at_start = AtStart::ignore};
+  const PathOptions asked{.at_start = AtStart::ignore};
   EXPECT_GT(world.contacts(asked).size(), 3000u);
   const std::uint64_t by_all = decided(world);
   const std::vector<BodyContact> found = world.first_contacts(asked);
@@ -217,7 +218,7 @@ TEST(FirstContacts, OfBallsCostAboutAsMuchAsTheEarliest) {
   for (int i = 0; i < 4; ++i) {
     world.add(ball, Static{{{0, 10.0 * i, 0}, {}}});
     const double aside = i == 3 ? 2.01 : 0.123;
-    world.add(ball, Rigid{interpolated({{3, 10 * i + aside, 0.2}, {}}, {{-3, 10 * i + aside, 0.2}, {}})});
+    world.add(ball, Rigid{interpolated_chain({{3, 10 * i + aside, 0.2}, {}}, {{-3, 10 * i + aside, 0.2}, {}})});
   }
   const std::size_t all = world.contacts().size();
   const std::uint64_t by_all = decided(world);
@@ -238,7 +239,7 @@ TEST(FirstContacts, AreCancelled) {
   const long needed = looks;
   for (long after = 0; after < needed; after += 1 + needed / 7) {
     looks_left = after;
-    EXPECT_THROW(world.first_contacts(), Cancelled);
+    EXPECT_THROW((void)world.first_contacts(), Cancelled);
   }
   looks_left = 1 << 20;
   const auto again = world.first_contacts();

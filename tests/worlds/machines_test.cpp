@@ -66,7 +66,7 @@ TestWorld random_bodies(Random& random) {
     if (auto* still = std::get_if<Static>(&motion))
       for (std::size_t k = 0; k < 3; ++k) still->pose.position[k] += away[k];
     if (auto* rigid = std::get_if<Rigid>(&motion))
-      rigid->chain.insert(rigid->chain.begin(), Link{Pose{away}, Pose{away}});
+      rigid->chain.insert(rigid->chain.begin(), RigidLink{Pose{away}, Pose{away}});
     if (auto* soft = std::get_if<Deforming>(&motion)) {
       shift(soft->start);
       shift(soft->end);

@@ -93,7 +93,7 @@ TEST(ManyMotions, KnowWhatTheWorldWasTold) {
   const BodyId moving = world.add(plate, Static{{{0, 0, 9}, {}}}), removed = world.add(plate, Static{});
   world.set_enabled(off, false);
   world.remove(removed);
-  const std::vector<BodyMotion> down{Rigid{interpolated({{0.1, 0.1, 2}, {}}, {{0.1, 0.1, 0.25}, {}})}};
+  const std::vector<BodyMotion> down{Rigid{interpolated_chain({{0.1, 0.1, 2}, {}}, {{0.1, 0.1, 0.25}, {}})}};
   const auto first = [&] { return world.earliest_many(std::vector{moving}, down)[0]; };
   EXPECT_FALSE(first().contact);
   world.set_radius(below, 0.5);
@@ -112,13 +112,13 @@ TEST(ManyMotions, FailForWhatTouchesAtTheStart) {
   world.add(plate, Static{});
   const BodyId moving = world.add(plate, Static{});
   const auto up_from = [](double z) -> BodyMotion {
-    return Rigid{interpolated({{0.1, 0.1, z}, {}}, {{0.1, 0.1, 2}, {}})};
+    return Rigid{interpolated_chain({{0.1, 0.1, z}, {}}, {{0.1, 0.1, 2}, {}})};
   };
   const std::vector<BodyMotion> motions{up_from(1), up_from(0)};
   const std::vector<EarliestBodyContact> found = world.earliest_many(std::vector{moving}, motions);
   EXPECT_FALSE(found[0].contact);
   EXPECT_EQ(found[1].toi_lower, 0);
-  QueryOptions options;
+  PathOptions options;
   options.at_start = AtStart::ignore;
   EXPECT_FALSE(world.earliest_many(std::vector{moving}, motions, options)[1].contact);
   options.at_start = AtStart::fail;

@@ -81,8 +81,8 @@ const Shape kBody(Mesh(4, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}), {{0, 0,
 
 std::vector<BodyMotion> motions_at(double x) {
   const Pose here{{x, 0, 0}, {}}, near{{x, 0, 0.1}, {0, 0, 0.5}};
-  return {Static{here}, Rigid{interpolated(here, {{x + 1.5, 0, 0}, {}})}, Rigid{interpolated(here, near)},
-          Rigid{between(here, near)},
+  return {Static{here}, Rigid{interpolated_chain(here, {{x + 1.5, 0, 0}, {}})}, Rigid{interpolated_chain(here, near)},
+          Rigid{chain_between(here, near)},
           Deforming{moved(kBody.points(), here.position), moved(kBody.points(), {x + 0.75, 0.1, 0})}};
 }
 
@@ -219,7 +219,7 @@ TEST(NoMemory, ADetectorAnswersAsBefore) {
     for (const Point& p : truncated.positions) numbers.insert(numbers.end(), p.begin(), p.end());
     for (const NearPair& p : detector.pairs_within(start, 0.5)) numbers.push_back(p.distance);
     const SafeStep safe = detector.safe_step(step);
-    numbers.insert(numbers.end(), {safe.lower, safe.upper, double(detector.intersections(end).size())});
+    numbers.insert(numbers.end(), {safe.toi_lower, safe.toi_upper, double(detector.intersections(end).size())});
     return numbers;
   };
   Detector untouched(mesh, alone());
@@ -251,14 +251,14 @@ TEST(NoMemory, TheCInterfaceChangesAsAWhole) {
   ASSERT_EQ(tamis_mesh_create(&input, &mesh), TAMIS_OK);
   ASSERT_EQ(tamis_shape_create(mesh, points, nullptr, &shape), TAMIS_OK);
   const auto links_at = [](double x, double way) {
-    tamis_link link{};
+    tamis_rigid_link link{};
     link.start.position[0] = x;
     link.end.position[0] = x + way;
     return link;
   };
-  const tamis_link first[]{links_at(0, 3), links_at(2, 0), links_at(8, 0)};
-  const tamis_link second[]{links_at(0, 1), links_at(5, 0), links_at(8, -4)};
-  const auto motions_of = [](const tamis_link* links) {
+  const tamis_rigid_link first[]{links_at(0, 3), links_at(2, 0), links_at(8, 0)};
+  const tamis_rigid_link second[]{links_at(0, 1), links_at(5, 0), links_at(8, -4)};
+  const auto motions_of = [](const tamis_rigid_link* links) {
     tamis_motions motions{};
     motions.size = sizeof motions;
     motions.count = 3;

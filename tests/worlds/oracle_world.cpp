@@ -12,7 +12,7 @@ oracle::MovingBody for_oracle(const Shape& shape, const BodyMotion& motion) {
   };
   if (const auto* still = std::get_if<Static>(&motion)) add(still->pose, still->pose);
   if (const auto* rigid = std::get_if<Rigid>(&motion))
-    for (const Link& link : rigid->chain) add(link.start, link.end);
+    for (const RigidLink& link : rigid->chain) add(link.start, link.end);
   if (const auto* soft = std::get_if<Deforming>(&motion)) {
     body.points = soft->start;
     body.points_at_end = soft->end;
@@ -39,7 +39,7 @@ double true_first_touch(const TestWorld& world, double separation) {
 
 bool expect_truth(TestWorld& world, double separation) {
   const double truth = true_first_touch(world, separation);
-  const QueryOptions asked{.min_separation = separation};
+  const PathOptions asked{.min_separation = separation};
   Options with_threads;
   with_threads.threads = 3;
   TestWorld same(with_threads);

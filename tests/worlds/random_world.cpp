@@ -42,7 +42,7 @@ BodyMotion made_hard(BodyMotion motion, const Extremes& extremes) {
   const auto move = [&](Point& position) { position = plus(position, 1, extremes.away); };
   if (auto* still = std::get_if<Static>(&motion)) move(still->pose.position);
   if (auto* rigid = std::get_if<Rigid>(&motion)) {
-    for (Link& link : rigid->chain) {
+    for (RigidLink& link : rigid->chain) {
       const Point turn = plus(link.end.rotation, -1, link.start.rotation);
       link.end.rotation = plus(link.end.rotation, extremes.turns - 1, turn);
     }
@@ -63,7 +63,7 @@ BodyMotion random_motion(Random& random, const Shape& shape, double size, Motion
   if (way == 0) return Static{start};
   Pose end = start;
   for (std::size_t k = 0; k < 3; ++k) end.position[k] += random.in(-0.5, 0.5) * size;
-  if (way == 1) return Rigid{interpolated(start, end)};
+  if (way == 1) return Rigid{interpolated_chain(start, end)};
   if (way == 2) {
     const Point shift = random.point(size);
     Deforming soft;
@@ -75,9 +75,9 @@ BodyMotion random_motion(Random& random, const Shape& shape, double size, Motion
     return soft;
   }
   const Point turn = random.point(way == 3 ? 0.2 : 1.5);
-  if (way == 5) return Rigid{turned(start, turn, end.position)};
+  if (way == 5) return Rigid{turned_chain(start, turn, end.position)};
   for (std::size_t k = 0; k < 3; ++k) end.rotation[k] += turn[k];
-  return Rigid{interpolated(start, end)};
+  return Rigid{interpolated_chain(start, end)};
 }
 
 TestWorld random_world(std::uint64_t seed, double size, Motions motions, const Options& options,
@@ -100,20 +100,21 @@ struct Parts {
   std::vector<Point> start, end, rest, rest_end;
   std::vector<std::array<Index, 2>> names;
   std::vector<Index> body_of_vertex;
-  std::vector<Chain> chains;
+  std::vector<RigidChain> chains;
   std::vector<Face> faces;
   std::vector<Edge> edges;
   std::vector<Index> points;
 };
 
-Chain chain_of(const BodyMotion& motion) {
-  if (const auto* still = std::get_if<Static>(&motion)) return interpolated(still->pose, still->pose);
+RigidChain chain_of(const BodyMotion& motion) {
+  if (const auto* still = std::get_if<Static>(&motion)) return interpolated_chain(still->pose, still->pose);
   return std::get<Rigid>(motion).chain;
 }
 
 bool turns(const BodyMotion& motion) {
   const auto* rigid = std::get_if<Rigid>(&motion);
-  return rigid && std::ranges::any_of(rigid->chain, [](const Link& l) { return l.start.rotation != l.end.rotation; });
+  return rigid &&
+         std::ranges::any_of(rigid->chain, [](const RigidLink& l) { return l.start.rotation != l.end.rotation; });
 }
 
 /// The vertices of a body at one time, in doubles.
@@ -132,7 +133,7 @@ std::vector<Point> points_at(const Shape& shape, const BodyMotion& motion, doubl
 void add(Parts& all, BodyId id, const Shape& shape, const BodyMotion& motion) {
   const auto first = static_cast<Index>(all.start.size());
   const std::vector<Point> start = points_at(shape, motion, 0), end = points_at(shape, motion, 1);
-  all.chains.push_back(turns(motion) ? chain_of(motion) : Chain());
+  all.chains.push_back(turns(motion) ? chain_of(motion) : RigidChain());
   for (std::size_t v = 0; v < start.size(); ++v) {
     all.names.push_back({id, static_cast<Index>(v)});
     all.body_of_vertex.push_back(static_cast<Index>(all.chains.size()) - 1);

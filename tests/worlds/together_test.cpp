@@ -24,15 +24,15 @@ Shape sheet(Index n, double height, double shift = 0) {
 }
 
 /// Three radians, about an axis that leads past the origin.
-Chain far_turn() { return {{{{0, 0, 0}, {0, 0, 0}}, {{0.1, 0.2, 0}, {0.9, 2.2, 1.8}}}}; }
-Chain and_then(Chain chain, const Pose& start, const Pose& end) {
+RigidChain far_turn() { return {{{{0, 0, 0}, {0, 0, 0}}, {{0.1, 0.2, 0}, {0.9, 2.2, 1.8}}}}; }
+RigidChain and_then(RigidChain chain, const Pose& start, const Pose& end) {
   chain.push_back({start, end});
   return chain;
 }
 /// A last joint.
-Chain with_joint(double angle) { return and_then(far_turn(), {}, {{0, 0, 0}, {0, 0.3 * angle, angle}}); }
+RigidChain with_joint(double angle) { return and_then(far_turn(), {}, {{0, 0, 0}, {0, 0.3 * angle, angle}}); }
 
-TestWorld pair_of(const Shape& a, const Chain& of_a, const Shape& b, const Chain& of_b,
+TestWorld pair_of(const Shape& a, const RigidChain& of_a, const Shape& b, const RigidChain& of_b,
                   const Options& options = one_thread()) {
   TestWorld world(options);
   world.add(a, Rigid{of_a});
@@ -56,7 +56,7 @@ TEST(Together, TheGapAtTheStartDecides) {
   EXPECT_TRUE(world.world.contacts().empty());
   EXPECT_LE(world.world.statistics().decided_by.scalar, pairs_of_features(a, b));
   for (const double keep : {0.1, 0.5, 0.999999}) {
-    EXPECT_EQ(world.world.safe_step(keep).lower, 1) << keep;
+    EXPECT_EQ(world.world.safe_step(keep).toi_lower, 1) << keep;
     EXPECT_LE(world.world.statistics().decided_by.scalar, pairs_of_features(a, b)) << keep;
   }
   EXPECT_TRUE(world.world.is_free({.min_separation = 0.999e-6}));
@@ -73,21 +73,21 @@ TEST(Together, TheSameInOneMesh) {
   EXPECT_TRUE(mesh.detector.is_free(mesh.path));
   EXPECT_LE(mesh.detector.statistics().decided_by.scalar, pairs_of_features(a, b));
   EXPECT_TRUE(mesh.detector.contacts(mesh.path, {.min_separation = 0.999e-6}).empty());
-  const std::vector<Contact> within = mesh.detector.contacts(mesh.path, {.min_separation = 1.001e-6});
+  const std::span<const Contact> within = mesh.detector.contacts(mesh.path, {.min_separation = 1.001e-6});
   EXPECT_FALSE(within.empty());
   for (const Contact& c : within) EXPECT_EQ(c.toi_lower, 0);
 }
 
 // Bug: a last joint that slides one sheet on the other is asked about on pieces of the whole arm's motion.
 TEST(Together, OfALastJointItsOwnMotionCounts) {
-  const Chain slides = and_then(far_turn(), {}, {{0, 0, 0}, {0, 0, 0.5}});
+  const RigidChain slides = and_then(far_turn(), {}, {{0, 0, 0}, {0, 0, 0.5}});
   TestWorld world = pair_of(sheet(5, 0), far_turn(), sheet(5, 1e-6), slides);
   EXPECT_TRUE(world.world.is_free());
   EXPECT_LT(world.world.statistics().decided_by.scalar, 500u);
   // Half of the gap is gone where far corners have come near: the same as without the arm.
-  const Chain alone{slides.back()};
+  const RigidChain alone{slides.back()};
   TestWorld without_arm = pair_of(sheet(5, 0), {{}}, sheet(5, 1e-6), alone);
-  EXPECT_NEAR(world.world.safe_step(0.5).lower, without_arm.world.safe_step(0.5).lower, 1e-9);
+  EXPECT_NEAR(world.world.safe_step(0.5).toi_lower, without_arm.world.safe_step(0.5).toi_lower, 1e-9);
 }
 
 TEST(Together, WhatTouchesAtTheStartTouchesThenAndNeverAgain) {
@@ -101,8 +101,8 @@ TEST(Together, WhatTouchesAtTheStartTouchesThenAndNeverAgain) {
   EXPECT_TRUE(world.world.is_free({.at_start = AtStart::ignore}));
   EXPECT_EQ(expect_same_contacts(world, {.at_start = AtStart::ignore}), 0u);
   EXPECT_THROW(static_cast<void>(world.world.contacts({.at_start = AtStart::fail})), InvalidStep);
-  EXPECT_EQ(world.world.safe_step(0.5).lower, 0);
-  EXPECT_EQ(world.world.safe_step(0.5, {.at_start = AtStart::ignore}).lower, 1);
+  EXPECT_EQ(world.world.safe_step(0.5).toi_lower, 0);
+  EXPECT_EQ(world.world.safe_step(0.5, {.at_start = AtStart::ignore}).toi_lower, 1);
 }
 
 /// As for straight ways: what passes through each other and does not move touches nowhere.
@@ -141,7 +141,7 @@ Shape tetrahedron(Random& random) {
 TestWorld arm(std::uint64_t seed, const Options& options = one_thread()) {
   Random random(seed);
   const auto pose = [&](double far) { return Pose{random.point(0.1 * far), random.point(far)}; };
-  const Chain base = and_then({}, pose(1), pose(2)), grip = and_then(base, pose(0.2), pose(1));
+  const RigidChain base = and_then({}, pose(1), pose(2)), grip = and_then(base, pose(0.2), pose(1));
   const Pose welded = pose(0.3);
   TestWorld world(options);
   world.add(tetrahedron(random), Rigid{base});

@@ -36,7 +36,7 @@ inline Numbers numbers_of(World& world, const std::vector<BodyId>& bodies, doubl
   numbers.push_back(world.is_free());
   for (const double keep : {0.0, 0.25}) {
     const BodyStep step = world.safe_step(keep);
-    numbers.insert(numbers.end(), {step.lower, step.upper});
+    numbers.insert(numbers.end(), {step.toi_lower, step.toi_upper});
     if (step.pair) append(numbers, *step.pair);
   }
   for (const BodyNearPair& pair : world.pairs_within(distance)) append(numbers, pair);

@@ -26,7 +26,11 @@ AuditedMesh::AuditedMesh(Mesh mesh, Objects objects)
     : mesh_(std::move(mesh)),
       objects_(std::move(objects)),
       components_(components_of(mesh_)),
-      neighbours_(neighbours_of(mesh_)) {
+      neighbours_(static_cast<std::size_t>(mesh_.vertex_count())) {
+  for (const auto& [a, b] : mesh_.edges()) {
+    neighbours_[static_cast<std::size_t>(a)].push_back(b);
+    neighbours_[static_cast<std::size_t>(b)].push_back(a);
+  }
   if (objects_.of_vertex.empty()) objects_.of_vertex = components_.of_vertex;
   require_one_each(mesh_, objects_);
 }

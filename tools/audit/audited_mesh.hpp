@@ -34,13 +34,13 @@ class AuditedMesh {
   }
   const Components& components() const { return components_; }
   /// For each vertex, the vertices that an edge joins to it.
-  const IndexRows& neighbours() const { return neighbours_; }
+  const std::vector<std::vector<Index>>& neighbours() const { return neighbours_; }
 
  private:
   Mesh mesh_;
   Objects objects_;
   Components components_;
-  IndexRows neighbours_;
+  std::vector<std::vector<Index>> neighbours_;
 };
 
 }  // namespace tamis::audit

@@ -111,7 +111,8 @@ bool FrameAsker::use(const std::shared_ptr<const AuditedMesh>& mesh, std::vector
 }
 
 void FrameAsker::ask_step(FrameFindings& findings) {
-  detector_->contacts({findings.before->positions, findings.frame->positions}, findings.contacts);
+  const auto found = detector_->contacts({findings.before->positions, findings.frame->positions});
+  findings.contacts.assign(found.begin(), found.end());
   findings.answer.has_step = true;
   bracket_first(findings.answer, findings.contacts);
 }
@@ -122,7 +123,10 @@ void FrameAsker::ask_step(FrameFindings& findings) {
 void FrameAsker::ask_pose(FrameFindings& findings) {
   const bool is_led_to =
       !has_point_face_ && findings.before && findings.before == free_frame_ && findings.contacts.empty();
-  if (!is_led_to) findings.intersections = detector_->intersections(findings.frame->positions);
+  if (!is_led_to) {
+    const auto found = detector_->intersections(findings.frame->positions);
+    findings.intersections.assign(found.begin(), found.end());
+  }
   free_frame_ = findings.intersections.empty() ? findings.frame : nullptr;
 }
 

@@ -29,7 +29,7 @@ void RingSearch::search_from(std::span<const Index> feature) {
   for (std::size_t i = 0; i < reached_.size(); ++i) {  // NOLINT(modernize-loop-convert)
     const Index rings = rings_[static_cast<std::size_t>(reached_[i])] + 1;
     if (rings > limit_) return;
-    for (const Index v : mesh_.neighbours()[reached_[i]]) reach(v, rings);
+    for (const Index v : mesh_.neighbours()[static_cast<std::size_t>(reached_[i])]) reach(v, rings);
   }
 }
 

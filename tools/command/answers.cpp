@@ -40,15 +40,15 @@ void print_between(PairKind kind, const std::array<Index, 4>& v, const std::arra
 }
 
 void print_limit(const SafeStep& safe, double keep, const std::string& distance) {
-  if (safe.lower == 0)
+  if (safe.toi_lower == 0)
     fmt::print("step            0: a pair {}\n",
-               safe.upper > 0 ? "is too near at the start for the smallest step" : "touches at the start");
+               safe.toi_upper > 0 ? "is too near at the start for the smallest step" : "touches at the start");
   else if (keep == 0)
-    fmt::print("step            {}; no pair touches before it, proven\n", safe.lower);
+    fmt::print("step            {}; no pair touches before it, proven\n", safe.toi_lower);
   else
-    fmt::print("step            {}; on it every pair keeps {} of its {}, proven\n", safe.lower, keep, distance);
-  if (safe.lower > 0 && safe.upper < 1)
-    fmt::print("largest         not above {}, proven: {:.1e} more\n", safe.upper, safe.upper - safe.lower);
+    fmt::print("step            {}; on it every pair keeps {} of its {}, proven\n", safe.toi_lower, keep, distance);
+  if (safe.toi_lower > 0 && safe.toi_upper < 1)
+    fmt::print("largest         not above {}, proven: {:.1e} more\n", safe.toi_upper, safe.toi_upper - safe.toi_lower);
 }
 
 }  // namespace
@@ -108,8 +108,8 @@ void print_safe_step(const SafeStep& safe, double keep, double min_separation) {
 
 void add_safe_step(Json& json, const SafeStep& safe, double keep) {
   json["keep"] = keep;
-  json["step_lower"] = safe.lower;
-  json["step_upper"] = safe.upper;
+  json["toi_lower"] = safe.toi_lower;
+  json["toi_upper"] = safe.toi_upper;
   json["pair"] = safe.pair ? json_of(*safe.pair) : Json();
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <span>
+
 #include "command/command_line/printable.hpp"
 #include "command/output_file.hpp"
 #include "files/view/outputs.hpp"
@@ -49,14 +51,14 @@ void LookOutput::write(const io::Recording& recording) const {
 }
 
 io::Recording recording_of(const Detector& detector, const std::filesystem::path& name, std::vector<Point> positions,
-                           const std::vector<Intersection>& found) {
+                           std::span<const Intersection> found) {
   return {detector.mesh(),
           detector.options(),
           1,
           {utf8_text(name.filename().string())},
           {std::move(positions)},
           {},
-          io::RecordedPose{found, detector.statistics().stages, {}}};
+          io::RecordedPose{{found.begin(), found.end()}, detector.statistics().stages, {}}};
 }
 
 }  // namespace tamis::cli

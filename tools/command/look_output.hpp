@@ -1,6 +1,7 @@
 // `--out` of the verbs that show contacts or intersections: tables and files to look at.
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,6 @@ class LookOutput {
 
 /// The recording of a pose. Valid as long as the detector. REQUIRES: the detector's last answer is `found`.
 io::Recording recording_of(const Detector& detector, const std::filesystem::path& name, std::vector<Point> positions,
-                           const std::vector<Intersection>& found);
+                           std::span<const Intersection> found);
 
 }  // namespace tamis::cli

@@ -8,7 +8,7 @@
 namespace tamis::scenes {
 namespace {
 
-Link standing(const Point& position, const Point& rotation = {0, 0, 0}) {
+RigidLink standing(const Point& position, const Point& rotation = {0, 0, 0}) {
   return {{position, rotation}, {position, rotation}};
 }
 
@@ -90,7 +90,7 @@ Machine chain_net(Index side, Index around, Index across, double fall) {
   Machine machine{{ring(around, across, 0.15)}, {}};
   constexpr double kApart = 3;
   const auto add = [&](const Point& place, const Point& rotation, bool is_held) {
-    Link way = standing(place, rotation);
+    RigidLink way = standing(place, rotation);
     if (!is_held) {
       way.end.position[2] -= fall;
       for (std::size_t k = 0; k < 3; ++k) way.end.rotation[k] += fall * std::sin(place[0] + 2 * place[1] + double(k));
@@ -120,7 +120,7 @@ Machine tunnel(Index cells, double turn) {
   Shape pipe = walls(corners, 2);
   for (Point& p : pipe.points) p = {p[2], p[0], p[1]};  // along x
   const Point askew{0.4, 0, 0};
-  const Link way{{{-6, 0, 0}, askew}, {{6, 0, 0}, {askew[0] + turn, 0, 0}}};
+  const RigidLink way{{{-6, 0, 0}, askew}, {{6, 0, 0}, {askew[0] + turn, 0, 0}}};
   return {{pipe, block}, {{0, standing({0, 0, 0}, askew)}, {1, way}}};
 }
 

@@ -12,7 +12,7 @@ namespace tamis::scenes {
 
 struct MachinePart {
   std::size_t shape;  ///< of Machine::shapes
-  Link way;           ///< rotation vector and position are linear in time; a part that stands has the same at both ends
+  RigidLink way;      ///< rotation vector and position are linear in time; a part that stands has the same at both ends
 };
 
 struct Machine {

@@ -82,7 +82,7 @@ scenes::Shape thread(double radius) {
 }
 
 scenes::Shape turned_somehow(scenes::Shape shape, Random& random) {
-  const Chain turned = interpolated({}, {{}, scaled(direction(random), random.between(0, 3))});
+  const RigidChain turned = interpolated_chain({}, {{}, scaled(direction(random), random.between(0, 3))});
   std::vector<Index> all(shape.points.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Index>(i);
   const RigidPath path(shape.points, std::vector<Index>(all.size(), 0), {turned});

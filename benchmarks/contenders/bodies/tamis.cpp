@@ -26,7 +26,7 @@ class Tamis final : public BodyContender {
   }
 
  private:
-  static Rigid motion_of(const MovingBody& body) { return {turned({body.from, {}}, body.turn, body.to)}; }
+  static Rigid motion_of(const MovingBody& body) { return {turned_chain({body.from, {}}, body.turn, body.to)}; }
 
   const MovingPair* pair_ = nullptr;
   World world_;

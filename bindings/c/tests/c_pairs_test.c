@@ -46,7 +46,7 @@ static void lists_of_pairs(void) {
   const double start[] = {0.2, 0.2, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 1};
   const double end[] = {0.2, 0.2, -3, 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, -3};
   const double wide = 100;
-  tamis_pair list[] = {
+  tamis_feature_pair list[] = {
       {TAMIS_VERTEX_FACE, {0, 1, 2, 3}}, {TAMIS_VERTEX_FACE, {4, 1, 2, 3}}, {TAMIS_VERTEX_VERTEX, {0, 4, -1, -1}}};
   tamis_step step = {sizeof step, 5, start, end, 0, 0, NULL, TAMIS_REPORT};
   tamis_pair_result r[3];
@@ -82,7 +82,7 @@ static void until_the_latest_time(void) {
   const int touches[] = {0, 0, 1, 1};
   double latest;
   tamis_pair_options options = {sizeof options, 0, 0, NULL, NULL};
-  const tamis_pair pair = {TAMIS_VERTEX_FACE, {0, 1, 2, 3}};
+  const tamis_feature_pair pair = {TAMIS_VERTEX_FACE, {0, 1, 2, 3}};
   tamis_step step = {sizeof step, 4, before, after, 0, 0, NULL, TAMIS_REPORT};
   tamis_pairs* pairs = NULL;
   tamis_pair_result r;
@@ -105,7 +105,7 @@ static void until_the_latest_time(void) {
 
 static void distances(void) {
   const double at[] = {0.2, 0.2, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0.2, 0.2, 4};
-  tamis_pair list[] = {{TAMIS_VERTEX_FACE, {0, 1, 2, 3}}, {TAMIS_VERTEX_VERTEX, {0, 4, 7, 7}}};
+  tamis_feature_pair list[] = {{TAMIS_VERTEX_FACE, {0, 1, 2, 3}}, {TAMIS_VERTEX_VERTEX, {0, 4, 7, 7}}};
   tamis_step step = {sizeof step, 5, at, NULL, 0, 0, NULL, TAMIS_REPORT};
   tamis_near_pair near[2];
   tamis_pairs* pairs = NULL;
@@ -133,7 +133,7 @@ static void kept_distance(void) {
   const double before[] = {0.2, 0.2, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
   const double after[] = {0.2, 0.2, -3, 0, 0, 0, 1, 0, 0, 0, 1, 0};
   const double latest = 0.1, half = 0.5;
-  tamis_pair pair = {TAMIS_VERTEX_FACE, {0, 1, 2, 3}};
+  tamis_feature_pair pair = {TAMIS_VERTEX_FACE, {0, 1, 2, 3}};
   tamis_step step = {sizeof step, 4, before, after, 0, 0, NULL, TAMIS_REPORT};
   tamis_pair_options options = {sizeof options, 0, 0, NULL, NULL};
   tamis_safe_step safe = {sizeof safe};
@@ -142,10 +142,10 @@ static void kept_distance(void) {
   EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 0.2, &safe) == TAMIS_OK);
   EXPECT(safe.has_pair == 1 && safe.pair.kind == TAMIS_VERTEX_FACE && safe.pair.vertices[3] == 3 &&
          safe.pair.distance == 1);
-  EXPECT(safe.lower <= 0.2 && safe.lower > 0.19 && safe.upper >= 0.2);
+  EXPECT(safe.toi_lower <= 0.2 && safe.toi_lower > 0.19 && safe.toi_upper >= 0.2);
   step.min_separation = &half;
   EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 0, &safe) == TAMIS_OK);
-  EXPECT(safe.lower <= 0.125 && safe.lower > 0.124);
+  EXPECT(safe.toi_lower <= 0.125 && safe.toi_lower > 0.124);
   EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 1, &safe) == TAMIS_INVALID_OPTIONS);
   EXPECT(tamis_pair_safe_step(pairs, NULL, &step, 0, &safe) == TAMIS_INVALID_ARGUMENT);
   EXPECT(tamis_pair_safe_step(pairs, &pair, NULL, 0, &safe) == TAMIS_INVALID_ARGUMENT);
@@ -159,7 +159,7 @@ static void kept_distance(void) {
   step.min_separation = NULL;
   EXPECT(tamis_pairs_create(&options, &pairs) == TAMIS_OK);
   EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 0.2, &safe) == TAMIS_OK);
-  EXPECT(safe.lower == latest && safe.has_pair == 0);
+  EXPECT(safe.toi_lower == latest && safe.has_pair == 0);
   tamis_pairs_free(pairs);
 }
 

@@ -21,10 +21,10 @@ static tamis_detector* detector_of_two(void) {
 static tamis_path* turning_blade(void) {
   const tamis_pose still = {{0, 0, 0}, {0, 0, 0}};
   const double origin[] = {0, 0, 0};
-  tamis_link links[2];
+  tamis_rigid_link links[2];
   tamis_rigid_path_input input = {sizeof input, 6, rest, bodies, 2, links_of_body, links, NULL};
   tamis_path* path = NULL;
-  EXPECT(tamis_turned(&still, half_turn, origin, NULL, links) == TAMIS_OK);
+  EXPECT(tamis_turned_chain(&still, half_turn, origin, NULL, links) == TAMIS_OK);
   EXPECT(tamis_rigid_path_create(&input, &path) == TAMIS_OK);
   return path;
 }
@@ -125,7 +125,7 @@ static void other_paths(void) {
   tamis_detector* detector = detector_of_two();
   tamis_path* path = NULL;
   tamis_pose there = {{1, 2, 3}, {0, 0, 1}}, still = {{0, 0, 0}, {0, 0, 0}};
-  tamis_link links[2];
+  tamis_rigid_link links[2];
   double frames[54], error = 1e-14, lower, upper, points[18];
   size_t count;
   int is_free = -1;
@@ -158,11 +158,11 @@ static void other_paths(void) {
   EXPECT(lower <= 0.5 && 0.5 <= upper);
   tamis_path_free(path);
 
-  EXPECT(tamis_between(&still, &there, NULL, links) == TAMIS_OK);
+  EXPECT(tamis_chain_between(&still, &there, NULL, links) == TAMIS_OK);
   EXPECT(links[0].end.position[2] == 3 && fabs(links[0].end.rotation[2] - 1) < 1e-12);
-  EXPECT(tamis_between(&still, NULL, NULL, links) == TAMIS_INVALID_ARGUMENT);
-  EXPECT(tamis_between(&still, &there, NULL, NULL) == TAMIS_INVALID_ARGUMENT);
-  EXPECT(tamis_turned(&still, NULL, half_turn, NULL, links) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_chain_between(&still, NULL, NULL, links) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_chain_between(&still, &there, NULL, NULL) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_turned_chain(&still, NULL, half_turn, NULL, links) == TAMIS_INVALID_ARGUMENT);
   tamis_detector_free(detector);
 }
 
@@ -171,14 +171,14 @@ static void poses_of_engines(void) {
   const double half = sqrt(0.5), quaternion[] = {half, 0, 0, (float)half}, rows[] = {0, -1, 0, 1, 0, 0, 0, 0, 1};
   const double origin[] = {0, 0, 0}, center[] = {1, 0, 0}, none[] = {2, 0, 0, 0}, nan_position[] = {0, NAN, 0};
   tamis_pose start = {{0, 0, 0}, {0, 0, 0}}, end, same, there;
-  tamis_link links[2];
+  tamis_rigid_link links[2];
   double part = -1;
   EXPECT(tamis_pose_of_quaternion(quaternion, origin, &end) == TAMIS_OK &&
          fabs(end.rotation[2] - half_turn[2] / 2) < 1e-7);
   EXPECT(tamis_pose_of_matrix(rows, origin, &same) == TAMIS_OK && fabs(same.rotation[2] - half_turn[2] / 2) < 1e-15);
   EXPECT(tamis_pose_of_quaternion(none, origin, &end) == TAMIS_INVALID_PATH);
   EXPECT(tamis_pose_of_matrix(rows, nan_position, &end) == TAMIS_INVALID_PATH);
-  EXPECT(tamis_between(&start, &same, center, links) == TAMIS_OK);
+  EXPECT(tamis_chain_between(&start, &same, center, links) == TAMIS_OK);
   EXPECT(links[0].start.position[0] == 1 && fabs(links[0].end.position[1] - 1) < 1e-15);
   EXPECT(links[1].start.position[0] == -1);
   EXPECT(tamis_pose_at(links, 2, 1, &there) == TAMIS_OK && fabs(there.rotation[2] - same.rotation[2]) < 1e-15);

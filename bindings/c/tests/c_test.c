@@ -83,7 +83,8 @@ static void questions(void) {
 
   EXPECT(tamis_detector_is_free(detector, &step, &is_free) == TAMIS_OK && is_free == 0);
   EXPECT(tamis_detector_safe_step(detector, &step, 0.5, &safe) == TAMIS_OK);
-  EXPECT(fabs(safe.lower - 0.25) < 1e-6 && safe.has_pair == 1 && safe.pair.vertices[0] == 3 && safe.pair.distance == 1);
+  EXPECT(fabs(safe.toi_lower - 0.25) < 1e-6 && safe.has_pair == 1 && safe.pair.vertices[0] == 3 &&
+         safe.pair.distance == 1);
   EXPECT(tamis_detector_safe_step(detector, &step, 1, &safe) == TAMIS_INVALID_OPTIONS);
 
   step.end = start;

@@ -28,8 +28,8 @@ static tamis_motions motions(size_t count) {
   return none;
 }
 
-static tamis_link turning(double x, double height, double angle) {
-  const tamis_link link = {{{x, 0, height}, {0, 0, 0}}, {{x, 0, height}, {0, angle, 0}}};
+static tamis_rigid_link turning(double x, double height, double angle) {
+  const tamis_rigid_link link = {{{x, 0, height}, {0, 0, 0}}, {{x, 0, height}, {0, angle, 0}}};
   return link;
 }
 
@@ -38,7 +38,7 @@ static tamis_world* blade_over_plate(void) {
   tamis_shape *plate = shape_of(plate_points), *blade = shape_of(blade_points);
   tamis_world* world = NULL;
   tamis_motions motion = motions(1);
-  const tamis_link turn = turning(0, 1, quarter);
+  const tamis_rigid_link turn = turning(0, 1, quarter);
   int32_t bodies[2] = {-1, -1};
   EXPECT(tamis_world_create(NULL, &world) == TAMIS_OK);
   EXPECT(tamis_world_add(world, plate, &motion, &bodies[0]) == TAMIS_OK);
@@ -58,7 +58,7 @@ static void what_is_answered(void) {
   tamis_intersection crossing;
   tamis_statistics statistics;
   tamis_safe_step safe = {sizeof safe};
-  tamis_query_options options = {sizeof options, NULL, TAMIS_REPORT, 1e-3};
+  tamis_path_options options = {sizeof options, 1e-3};
   const double far = 0.5;
   double lower = 0, upper = 0, first = 2;
   size_t count = 0, i;
@@ -84,12 +84,12 @@ static void what_is_answered(void) {
   statistics.size = sizeof statistics;
   EXPECT(tamis_world_statistics(world, &statistics) == TAMIS_OK && statistics.memory_bytes > 0);
 
-  EXPECT(tamis_world_pairs_within(world, 1.05, &count) == TAMIS_OK && count == 3);
+  EXPECT(tamis_world_pairs_within(world, 1.05, 0, &count) == TAMIS_OK && count == 3);
   EXPECT(tamis_world_copy_pairs_within(world, 0, 3, near, sizeof near[0]) == TAMIS_OK);
   for (i = 0; i < 3; ++i) EXPECT(near[i].distance == 1 && near[i].bodies[0] == 1 && near[i].bodies[1] == 0);
-  EXPECT(tamis_world_intersections(world, &count) == TAMIS_OK && count == 0);
+  EXPECT(tamis_world_intersections(world, 0, &count) == TAMIS_OK && count == 0);
   EXPECT(tamis_world_copy_intersections(world, 0, 0, NULL, sizeof crossing) == TAMIS_OK);
-  EXPECT(tamis_world_safe_step(world, 0.5, NULL, &safe) == TAMIS_OK && 0 < safe.lower && safe.lower < first);
+  EXPECT(tamis_world_safe_step(world, 0.5, NULL, &safe) == TAMIS_OK && 0 < safe.toi_lower && safe.toi_lower < first);
   EXPECT(tamis_world_set_radius(world, &contacts[0].bodies[0], 1, -1) == TAMIS_INVALID_OPTIONS);
   EXPECT(tamis_world_set_radius(world, &contacts[0].bodies[0], 1, 0.5) == TAMIS_OK);
   EXPECT(tamis_world_earliest(world, NULL, &lower, &upper, &count) == TAMIS_OK && lower < first - 0.1);
@@ -116,7 +116,7 @@ static void what_goes_straight_and_what_deforms(void) {
   tamis_world* world = blade_over_plate();
   tamis_shape* blade = shape_of(blade_points);
   tamis_motions motion = motions(1);
-  const tamis_link down = {{{0, 0, 1}, {0, quarter, 0}}, {{0, 0, 2.5}, {0, quarter, 0}}};
+  const tamis_rigid_link down = {{{0, 0, 1}, {0, quarter, 0}}, {{0, 0, 2.5}, {0, quarter, 0}}};
   const tamis_pose upright = {{0, 0, 1}, {0, quarter, 0}};
   const double soft_start[] = {0, 0, 3, 2, 0, 3, 1, 0.5, 3}, soft_end[] = {0, 0, -1, 2, 0, 3, 1, 0.5, 3};
   const int32_t moved = 1;
@@ -129,15 +129,15 @@ static void what_goes_straight_and_what_deforms(void) {
   size_t count = 0;
   motion.poses = &upright; /* it stays in the plate: two that stay are not asked about */
   EXPECT(tamis_world_move(world, &moved, &motion) == TAMIS_OK);
-  EXPECT(tamis_world_intersections(world, &count) == TAMIS_OK && count == 0);
-  EXPECT(tamis_world_has_intersection(world, &intersects) == TAMIS_OK && intersects == 0);
-  EXPECT(tamis_world_has_intersection(world, NULL) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_world_intersections(world, 0, &count) == TAMIS_OK && count == 0);
+  EXPECT(tamis_world_has_intersection(world, 0, &intersects) == TAMIS_OK && intersects == 0);
+  EXPECT(tamis_world_has_intersection(world, 0, NULL) == TAMIS_INVALID_ARGUMENT);
   motion.poses = NULL;
   motion.links = &down; /* out of the plate */
   motion.links_of_each = 1;
   EXPECT(tamis_world_move(world, &moved, &motion) == TAMIS_OK);
-  EXPECT(tamis_world_intersections(world, &count) == TAMIS_OK && count > 0);
-  EXPECT(tamis_world_has_intersection(world, &intersects) == TAMIS_OK && intersects == 1);
+  EXPECT(tamis_world_intersections(world, 0, &count) == TAMIS_OK && count > 0);
+  EXPECT(tamis_world_has_intersection(world, 0, &intersects) == TAMIS_OK && intersects == 1);
   EXPECT(tamis_world_copy_intersections(world, 0, 1, &crossing, sizeof crossing) == TAMIS_OK);
   EXPECT(crossing.bodies[0] == 1 && crossing.bodies[1] == 0);
 
@@ -151,7 +151,7 @@ static void what_goes_straight_and_what_deforms(void) {
   EXPECT(lower <= 0.75 && 0.75 <= upper && upper - lower < 1e-6);
   EXPECT(tamis_world_copy_contacts(world, 0, 1, &contact, sizeof contact) == TAMIS_OK && contact.bodies[0] == soft);
   EXPECT(tamis_world_safe_step(world, 0.5, NULL, &safe) == TAMIS_OK);
-  EXPECT(fabs(safe.lower - 0.375) < 1e-6 && safe.pair.bodies[0] == soft && safe.pair.bodies[1] == 0 &&
+  EXPECT(fabs(safe.toi_lower - 0.375) < 1e-6 && safe.pair.bodies[0] == soft && safe.pair.bodies[1] == 0 &&
          safe.pair.distance == 3);
   motion.vertex_count = 2;
   EXPECT(tamis_world_move(world, &soft, &motion) == TAMIS_INVALID_STEP);
@@ -167,7 +167,7 @@ static void many_in_one_call(void) {
   tamis_world* world = blade_over_plate();
   tamis_shape *blade = shape_of(blade_points), *ground = NULL;
   tamis_motions motion = motions(kCount);
-  tamis_link* links = malloc(kCount * sizeof *links);
+  tamis_rigid_link* links = malloc(kCount * sizeof *links);
   int32_t* bodies = malloc(kCount * sizeof *bodies);
   tamis_contact contact;
   const double wide_points[] = {-1e4, -1e4, 0, 1e5, -1e4, 0, 0, 1e5, 0};
@@ -210,7 +210,7 @@ static void what_is_refused_changes_nothing(void) {
   tamis_shape* blade = shape_of(blade_points);
   tamis_motions motion = motions(2);
   const tamis_pose poses[] = {{{0, 0, 50}, {0, 0, 0}}, {{0, 0, NAN}, {0, 0, 0}}};
-  const tamis_link link = turning(0, 1, 0), far = turning(0, 1, 5000);
+  const tamis_rigid_link link = turning(0, 1, 0), far = turning(0, 1, 5000);
   const int32_t there[] = {1, 0}, gone[] = {1, 7}, twice[] = {1, 1};
   const size_t all = contacts_of(world);
   int32_t added[2];
@@ -256,7 +256,7 @@ static void what_is_refused_changes_nothing(void) {
   EXPECT(tamis_world_add(world, NULL, &motion, added) == TAMIS_INVALID_ARGUMENT);
   EXPECT(tamis_world_contacts(world, NULL, NULL) == TAMIS_INVALID_ARGUMENT);
   EXPECT(tamis_world_contacts(NULL, NULL, &count) == TAMIS_INVALID_ARGUMENT);
-  EXPECT(tamis_world_pairs_within(world, NAN, &count) == TAMIS_INVALID_OPTIONS);
+  EXPECT(tamis_world_pairs_within(world, NAN, 0, &count) == TAMIS_INVALID_OPTIONS);
 
   EXPECT(tamis_world_set_may_touch(world, there, 1, 0) == TAMIS_OK && contacts_of(world) == 0);
   EXPECT(tamis_world_set_may_touch(world, there, 1, 1) == TAMIS_OK && contacts_of(world) == all);
@@ -307,9 +307,9 @@ static void what_cannot_be_made(void) {
 /* Three motions of the blade: down through the plate, up from it, and a turn. The first and the last meet it. */
 static void many_motions(void) {
   tamis_world* world = blade_over_plate();
-  const tamis_link links[] = {{{{0, 0, 1}, {0, 0, 0}}, {{0, 0, -1}, {0, 0, 0}}},
-                              {{{0, 0, 1}, {0, 0, 0}}, {{0, 0, 3}, {0, 0, 0}}},
-                              turning(0, 1, quarter)};
+  const tamis_rigid_link links[] = {{{{0, 0, 1}, {0, 0, 0}}, {{0, 0, -1}, {0, 0, 0}}},
+                                    {{{0, 0, 1}, {0, 0, 0}}, {{0, 0, 3}, {0, 0, 0}}},
+                                    turning(0, 1, quarter)};
   tamis_motions motion = motions(3);
   tamis_earliest answers[3], shorter[3];
   const int32_t blade[] = {1, 0}, gone = 5;

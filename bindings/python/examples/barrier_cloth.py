@@ -40,7 +40,7 @@ class Search:
 
         These are all pairs that come within reach of the barrier on that part of the step.
         """
-        part = self.detector.safe_step(start, end, 0.1).lower
+        part = self.detector.safe_step(start, end, 0.1).toi_lower
         pairs = self.detector.contacts(start, start + part * (end - start), min_separation=1.001 * REACH)
         return part, bridge.candidates(pairs, self.mesh)
 

@@ -86,9 +86,9 @@ def main() -> None:
         for _ in range(5):
             target = push(x, target, detector.contacts(x, target, min_separation=GAP), moves)
         safe = detector.safe_step(x, target)
-        assert safe.lower > 0
-        shortest = min(shortest, safe.lower)
-        new = x + safe.lower * (target - x)
+        assert safe.toi_lower > 0
+        shortest = min(shortest, safe.toi_lower)
+        new = x + safe.toi_lower * (target - x)
         velocity, x = (new - x) / h, new
     print(
         f"{2 * arguments.frames} steps, the shortest went {shortest:.3f} of the way; lowest vertex {x[:n, 2].min():.3f}"

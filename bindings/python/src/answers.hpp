@@ -42,7 +42,7 @@ inline nb::tuple earliest_columns(const std::vector<EarliestBodyContact>& each) 
 /// Of a SafeStep, or one of bodies.
 template <class Step>
 nb::tuple step_tuple(const Step& safe) {
-  return nb::make_tuple(safe.lower, safe.upper, rows_of(safe.pair));
+  return nb::make_tuple(safe.toi_lower, safe.toi_upper, rows_of(safe.pair));
 }
 
 }  // namespace tamis::python

@@ -2,10 +2,10 @@
 #pragma once
 #include <type_traits>
 
+#include "numbers/busy_guard.hpp"
 #include "python/src/options.hpp"
 #include "python/src/signals.hpp"
 #include "python/src/truth.hpp"
-#include "tamis/busy_guard.hpp"
 
 namespace tamis::python {
 

@@ -16,6 +16,9 @@ namespace {
 
 Step motion(const Rows& start, const Rows& end) { return step_of(start, end); }
 const Path& motion(const Path& path) { return path; }
+/// The options of a question about a step, given by its two ends, or about a path.
+template <class... Motion>
+using OptionsOf = std::conditional_t<sizeof...(Motion) == 1, PathOptions, QueryOptions>;
 
 /// Where a question takes `given`: both ends of a step, or a path.
 class Questions {
@@ -24,22 +27,22 @@ class Questions {
       : asker_(asking), detector_(mesh, asker_.with_callbacks(asking.options)) {}
 
   template <class... Motion>
-  nb::object contacts(const QueryOptions& q, const Motion&... given) {
+  nb::object contacts(const OptionsOf<Motion...>& q, const Motion&... given) {
     std::vector<Contact> found = spare_->take();
     asker_.ask([&] { find(motion(given...), q, found); });
     return own_contacts(std::move(found), spare_);
   }
   template <class... Motion>
-  nb::tuple earliest(const QueryOptions& q, const Motion&... given) {
+  nb::tuple earliest(const OptionsOf<Motion...>& q, const Motion&... given) {
     return earliest_tuple(asker_.answer([&] { return detector_.earliest(motion(given...), q); }));
   }
   template <class... Motion>
-  bool is_free(const QueryOptions& q, const Motion&... given) {
+  bool is_free(const OptionsOf<Motion...>& q, const Motion&... given) {
     return asker_.answer([&] { return detector_.is_free(motion(given...), q); });
   }
   /// As looking.hpp has it.
   template <class... Motion>
-  void write(const std::filesystem::path& to, const ContactBytes& contacts, const QueryOptions& q,
+  void write(const std::filesystem::path& to, const ContactBytes& contacts, const OptionsOf<Motion...>& q,
              const Motion&... given) {
     asker_.ask([&] { write_motion(to, detector_, motion(given...), q, contacts_in(contacts)); });
   }
@@ -48,7 +51,7 @@ class Questions {
     return step_tuple(asker_.answer([&] { return detector_.safe_step(step_of(start, end), keep, q); }));
   }
   nb::tuple truncate(const QueryOptions& q, double keep, const Rows& start, const Rows& end, bool as_float32) {
-    const Stored stored = as_float32 ? Stored::float32 : Stored::float64;
+    const StoredType stored = as_float32 ? StoredType::float32 : StoredType::float64;
     TruncatedStep step = asker_.answer([&] { return detector_.truncate(step_of(start, end), keep, q, stored); });
     return nb::make_tuple(own<double>(std::move(step.positions)), own<double>(std::move(step.fractions)), step.is_free);
   }
@@ -73,10 +76,13 @@ class Questions {
 
  private:
   void find(const Step& step, const QueryOptions& q, std::vector<Contact>& found) {
-    detector_.contacts(step, found, q);
+    keep(detector_.contacts(step, q), found);
   }
-  void find(const Path& path, const QueryOptions& q, std::vector<Contact>& found) {
-    found = detector_.contacts(path, q);
+  void find(const Path& path, const PathOptions& q, std::vector<Contact>& found) {
+    keep(detector_.contacts(path, q), found);
+  }
+  static void keep(std::span<const Contact> contacts, std::vector<Contact>& found) {
+    found.assign(contacts.begin(), contacts.end());
   }
 
   Asker asker_;

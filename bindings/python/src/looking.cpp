@@ -27,8 +27,8 @@ bool is_part(std::span<const Contact> part, std::span<const Contact> found) {
                      [&](const Contact& c) { return std::binary_search(found.begin(), found.end(), c, before); });
 }
 
-Options with(Options options, const QueryOptions& asked) {
-  options.min_separation = asked.min_separation.value_or(options.min_separation);
+Options with(Options options, std::optional<double> min_separation) {
+  options.min_separation = min_separation.value_or(options.min_separation);
   return options;
 }
 
@@ -41,7 +41,7 @@ void write_motion(const std::filesystem::path& to, Detector& detector, const Ste
     throw InvalidStep(
         "the positions have changed since these contacts were found: look at contacts before the next step, or give "
         "the detector arrays that stay as they are");
-  const Options options = with(detector.options(), asked);
+  const Options options = with(detector.options(), asked.min_separation);
   io::Recording recording{detector.mesh(),
                           options,
                           1,
@@ -54,7 +54,7 @@ void write_motion(const std::filesystem::path& to, Detector& detector, const Ste
   io::output_for(to, io::outputs()).write(to, recording);
 }
 
-void write_motion(const std::filesystem::path& to, Detector& detector, const Path& path, const QueryOptions& asked,
+void write_motion(const std::filesystem::path& to, Detector& detector, const Path& path, const PathOptions& asked,
                   std::span<const Contact> part) {
   const io::Output& output = io::output_for(to, io::outputs());
   if (!output.holds_sequence)
@@ -62,7 +62,7 @@ void write_motion(const std::filesystem::path& to, Detector& detector, const Pat
   const auto& found = detector.contacts(path, asked);
   if (!is_part(part, found))
     throw InvalidPath("the path has changed since these contacts were found: look at them before it does");
-  const Options options = with(detector.options(), asked);
+  const Options options = with(detector.options(), asked.min_separation);
   io::Recording film{detector.mesh(), options, 1, {}, {}, {}};
   film.at_start = asked.at_start;
   io::add_path(film, path, {part, free_before(found), detector.statistics().ignored});

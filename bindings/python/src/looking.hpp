@@ -14,7 +14,7 @@ void write_motion(const std::filesystem::path& to, Detector& detector, const Ste
 /// The same of a path, as a sequence of straight pieces, so many that no vertex deviates from one by more than the eye
 /// sees; but at most 64. A contact is shown in the piece in which its bracket begins, at times of that piece. Throws
 /// InvalidPath if the path has changed; Error if the file can only hold one piece.
-void write_motion(const std::filesystem::path& to, Detector& detector, const Path& path, const QueryOptions& asked,
+void write_motion(const std::filesystem::path& to, Detector& detector, const Path& path, const PathOptions& asked,
                   std::span<const Contact> part);
 
 }  // namespace tamis::python

@@ -27,9 +27,17 @@ void bind_options(nb::module_& module) {
   nb::class_<QueryOptions>(module, "QueryOptions")
       .def(
           "__init__",
-          [](QueryOptions* made, std::optional<double> min_separation, const std::string& at_start,
+          [](QueryOptions* made, std::optional<double> min_separation, const std::string& at_start) {
+            new (made) QueryOptions{min_separation, at_start_from_name(at_start)};
+          },
+          nb::arg().none(), nb::arg());
+  nb::class_<PathOptions>(module, "PathOptions")
+      .def(
+          "__init__",
+          [](PathOptions* made, std::optional<double> min_separation, const std::string& at_start,
              std::optional<double> tolerance) {
-            new (made) QueryOptions{min_separation, at_start_from_name(at_start), tolerance};
+            new (made)
+                PathOptions{min_separation, at_start_from_name(at_start), tolerance.value_or(PathOptions().tolerance)};
           },
           nb::arg().none(), nb::arg(), nb::arg().none());
   nb::class_<Asking>(module, "Options", nb::type_slots(collected<Asking>))

@@ -9,6 +9,8 @@ decides a list of pairs. A `Path`, such as `RigidPath`, is motion on curves. A `
 of its own. `read_mesh`, `read_frames` and `scene` return meshes to try it on.
 """
 
+from typing import TYPE_CHECKING, NoReturn
+
 from tamis import _core
 from tamis._answers import EarliestContact, SafeStep, TruncatedStep
 from tamis._audit._audit import audit
@@ -28,7 +30,16 @@ from tamis._pair_distance import distance_of, safe_step
 from tamis._pairs import PairResult, Pairs, narrow_phase
 from tamis._paths._function_path import FunctionPath
 from tamis._paths._path import BezierPath, CatmullRomPath, Path
-from tamis._paths._rigid_path import RigidPath, between, interpolated, nlerp_deviation, pose_at, pose_of, turned
+from tamis._paths._rigid_path import (
+    RigidPath,
+    chain_between,
+    interpolated_chain,
+    nlerp_deviation,
+    pose_at,
+    pose_of,
+    turned_chain,
+)
+from tamis._renamed import missing as _missing
 from tamis._scenes import Scene, scene, scene_names, simulate, simulated_scenes
 from tamis._statistics import Statistics
 from tamis._tables._contacts import Contact, Contacts
@@ -49,6 +60,13 @@ from tamis._world._tables import (
 from tamis._world._world import World
 
 __version__: str = _core.__version__
+
+
+if not TYPE_CHECKING:  # type checkers report any other name themselves
+
+    def __getattr__(name: str) -> NoReturn:
+        raise _missing("module 'tamis'", name)
+
 
 __all__ = [
     "AuditFrame",
@@ -104,10 +122,10 @@ __all__ = [
     "TruncatedStep",
     "World",
     "audit",
-    "between",
+    "chain_between",
     "contacts",
     "distance_of",
-    "interpolated",
+    "interpolated_chain",
     "narrow_phase",
     "nlerp_deviation",
     "pose_at",
@@ -121,7 +139,7 @@ __all__ = [
     "scene_names",
     "simulate",
     "simulated_scenes",
-    "turned",
+    "turned_chain",
     "weld",
     "write_mesh",
 ]

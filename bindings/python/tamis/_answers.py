@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from tamis._arrays import Doubles
+from tamis._renamed import renamed
 from tamis._tables._contacts import Contact
 from tamis._tables._near import NearPair
 
@@ -28,23 +29,24 @@ class EarliestContact(NamedTuple):
     contact: Contact | None
 
 
+@renamed(lower="toi_lower", upper="toi_upper")
 class SafeStep(NamedTuple):
     """How far the step may go so that every pair keeps a fraction of its distance.
 
     Attributes
     ----------
-    lower : float
-        Fraction of the step: on [0, lower] every pair keeps at least its fraction of the distance, and on [0, lower)
-        no pair touches, proven. 1 if the whole step may go.
-    upper : float
+    toi_lower : float
+        Fraction of the step: on [0, toi_lower] every pair keeps at least its fraction of the distance, and on
+        [0, toi_lower) no pair touches, proven. 1 if the whole step may go.
+    toi_upper : float
         Fraction of the step: at this time some pair has no more than its fraction of the distance left, proven. 1 if
         that is not known of any time.
     pair : NearPair or None
         The pair that ends the step, as it is at the start; None if the whole step may go.
     """
 
-    lower: float
-    upper: float
+    toi_lower: float
+    toi_upper: float
     pair: NearPair | None
 
 

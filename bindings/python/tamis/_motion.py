@@ -11,13 +11,14 @@ import numpy.typing as npt
 from tamis._arrays import Doubles, Indices, rows
 from tamis._checks import number
 from tamis._errors import InvalidOptions, InvalidPath, InvalidStep
-from tamis._options import AtStart, query_options
+from tamis._options import AtStart, path_options, query_options
 from tamis._paths._path import Path
 from tamis._tables._points import Corners, corners_at_rest, used_vertices
 
 if TYPE_CHECKING:
     from tamis import _core
 
+    Own = _core.QueryOptions | _core.PathOptions
     Native = tuple[Doubles, Doubles] | tuple[_core.Path]  # the arguments of the compiled part
 
 
@@ -85,3 +86,27 @@ def motion(start: npt.ArrayLike | Path, end: npt.ArrayLike | None, tolerance: fl
     if tolerance is not None:
         raise InvalidOptions("tolerance is an option of paths: leave it out for a step")
     return StraightMotion(rows(start, "start"), rows(end, "end"))
+
+
+def motion_asked(
+    start: npt.ArrayLike | Path,
+    end: npt.ArrayLike | None,
+    min_separation: float | None,
+    at_start: AtStart,
+    tolerance: float | None,
+) -> tuple[AskedMotion, Own]:
+    """Check the arguments of a question about a step or a path; return its motion and its options."""
+    moving = motion(start, end, tolerance)
+    return moving, own_options(moving, min_separation, at_start, tolerance)
+
+
+def own_options(
+    moving: AskedMotion,
+    min_separation: float | None = None,
+    at_start: AtStart = "report",
+    tolerance: float | None = None,
+) -> Own:
+    """Return the options of one question about this motion: a tolerance belongs to paths."""
+    if isinstance(moving, CurvedMotion):
+        return path_options(min_separation, at_start, tolerance)
+    return query_options(min_separation, at_start)

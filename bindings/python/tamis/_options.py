@@ -50,12 +50,15 @@ def _set_groups(
     options.set_groups(group_of_vertex, count, allowed)
 
 
-def query_options(
-    min_separation: float | None, at_start: AtStart, tolerance: float | None = None
-) -> _core.QueryOptions:
-    """Return the options of one question."""
+def query_options(min_separation: float | None, at_start: AtStart) -> _core.QueryOptions:
+    """Return the options of one question about a step."""
+    return _core.QueryOptions(number_or_none(min_separation, "min_separation"), word(at_start, "at_start"))
+
+
+def path_options(min_separation: float | None, at_start: AtStart, tolerance: float | None) -> _core.PathOptions:
+    """Return the options of one question about a path or a world."""
     d, widest = number_or_none(min_separation, "min_separation"), number_or_none(tolerance, "tolerance")
-    return _core.QueryOptions(d, word(at_start, "at_start"), widest)
+    return _core.PathOptions(d, word(at_start, "at_start"), widest)
 
 
 def make_options(

@@ -19,7 +19,7 @@ from tamis._checks import file_name
 from tamis._errors import Error
 
 if TYPE_CHECKING:
-    from tamis._motion import AskedMotion
+    from tamis._motion import AskedMotion, Own
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class Asked:
     mesh: _core.Mesh
     options: _core.Options
     motion: AskedMotion
-    own: _core.QueryOptions
+    own: Own
 
     def write(self, path: str, contacts: npt.NDArray[np.uint8]) -> None:
         """Write a file to look at with these contacts, all of the answer or some; the extension names the format."""

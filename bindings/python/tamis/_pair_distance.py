@@ -72,12 +72,12 @@ def safe_step(
     min_separation : float
         d >= 0, in the unit of the positions: contact means Euclidean distance <= d.
     latest : float
-        The latest time of interest, in [0, 1]. If the pair keeps its fraction until then, `lower` is this time.
+        The latest time of interest, in [0, 1]. If the pair keeps its fraction until then, `toi_lower` is this time.
 
     Returns
     -------
     SafeStep
-        On [0, lower] the pair keeps the fraction, proven.
+        On [0, toi_lower] the pair keeps the fraction, proven.
 
     Raises
     ------

@@ -18,7 +18,7 @@ QUESTIONS: dict[str, Ask] = {
     "contacts": lambda d, **own: len(d.contacts(LIES, UP, **own)),
     "earliest": lambda d, **own: d.earliest(LIES, UP, **own).toi_lower,
     "is_free": lambda d, **own: d.is_free(LIES, UP, **own),
-    "safe_step": lambda d, **own: d.safe_step(LIES, UP, **own).lower,
+    "safe_step": lambda d, **own: d.safe_step(LIES, UP, **own).toi_lower,
     "truncate": lambda d, **own: d.truncate(LIES, UP, **own).is_free,
 }
 REPORTED = {"contacts": 1, "earliest": 0, "is_free": False, "safe_step": 0, "truncate": False}

@@ -58,7 +58,7 @@ def lengths_of(scene: tamis.Scene) -> list[bytes]:
     detector = tamis.Detector(scene.mesh)
     safe, first = detector.safe_step(scene.start, scene.end), detector.earliest(scene.start, scene.end)
     truncated = detector.truncate(scene.start, scene.end)
-    return [np.array([safe.lower, safe.upper, first.toi_lower]).tobytes(), truncated.positions.tobytes()]
+    return [np.array([safe.toi_lower, safe.toi_upper, first.toi_lower]).tobytes(), truncated.positions.tobytes()]
 
 
 def near_of(scene: tamis.Scene) -> list[bytes]:
@@ -74,7 +74,7 @@ def curves_of(scene: tamis.Scene) -> list[bytes]:
 
 def poses_of(scene: tamis.Scene) -> list[bytes]:
     start = tamis.pose_of([[0.6, 0.48, 0.64, 0.0]], scene.start[:1])
-    chain = tamis.between(start[0], [[0.1, 0.7, 0.3], [1.1, 0.2, 0.3]], center=[0.1, 0.2, 0.3])
+    chain = tamis.chain_between(start[0], [[0.1, 0.7, 0.3], [1.1, 0.2, 0.3]], center=[0.1, 0.2, 0.3])
     return [start.tobytes(), chain.tobytes(), tamis.pose_at(chain, 0.7).tobytes()]
 
 

@@ -22,7 +22,7 @@ HALF_TURN = [0.0, 0.0, math.pi]
 
 def turning_blade() -> tamis.RigidPath:
     """Return the path of the blade. Straight motion between its ends goes through the axis, where there is no wall."""
-    chains = [np.empty((0, 4, 3)), tamis.turned(STILL, HALF_TURN, [0, 0, 0])]
+    chains = [np.empty((0, 4, 3)), tamis.turned_chain(STILL, HALF_TURN, [0, 0, 0])]
     return tamis.RigidPath(WALL + BLADE, [0, 0, 0, 1, 1, 1], chains)
 
 

@@ -52,16 +52,16 @@ def test_all_questions_agree(start: np.ndarray, end: np.ndarray) -> None:
     first = detector.earliest(start, end)
     assert detector.is_free(start, end) == (len(contacts) == 0) == (first.contact is None)
     kept = detector.safe_step(start, end, 0)
-    assert kept.lower == first.toi_lower
+    assert kept.toi_lower == first.toi_lower
     assert kept.pair is None or (kept.pair.kind, kept.pair.vertices) == first.contact[:2]  # type: ignore[index]
     if len(contacts):
         assert first.toi_lower <= contacts.toi_lower.min() + 1e-12
-        assert detector.safe_step(start, end, 0.5).lower <= first.toi_lower
+        assert detector.safe_step(start, end, 0.5).toi_lower <= first.toi_lower
 
 
 def test_keeping_half_of_the_distance(detector: tamis.Detector, falling: tamis.Scene) -> None:
     safe = detector.safe_step(falling.start, falling.end, 0.5)
-    assert safe.lower == pytest.approx(0.25, abs=1e-6) and safe.lower <= 0.25 <= safe.upper
+    assert safe.toi_lower == pytest.approx(0.25, abs=1e-6) and safe.toi_lower <= 0.25 <= safe.toi_upper
     assert safe.pair == detector.pairs_within(falling.start, 1)[0]
     assert safe.pair.vertices == (3, 0, 1, 2) and safe.pair.direction == (0, 0, 1)
 

@@ -119,7 +119,7 @@ def _by_tamis(mesh: Any) -> Any:
     detector = tamis.Detector(bridge.mesh(mesh))
 
     def find(start: Numbers, end: Numbers, reach: float) -> tuple[float, Any]:
-        part = detector.safe_step(start, end, 0.1).lower
+        part = detector.safe_step(start, end, 0.1).toi_lower
         way = detector.contacts(start, start + part * (end - start), min_separation=1.001 * reach)
         return part, bridge.candidates(way, mesh)
 

@@ -147,7 +147,7 @@ def test_a_path_is_a_film_of_its_pieces(opened: list[str], tmp_path: pathlib.Pat
     posts: list[list[float]] = [
         [x, y, z] for x, y in ((0, 1.5), (1.5 * np.cos(angle), 1.5 * np.sin(angle))) for z in (-1, 1)
     ]
-    turn = tamis.turned(np.zeros((2, 3)), [0, 0, 2 * np.pi], [0, 0, 0])
+    turn = tamis.turned_chain(np.zeros((2, 3)), [0, 0, 2 * np.pi], [0, 0, 0])
     path = tamis.RigidPath([[1.0, 0, 0], [2.0, 0, 0], *posts], [0, 0, 1, 1, 1, 1], [turn, np.empty((0, 4, 3))])
     contacts = tamis.Detector(tamis.Mesh([], edges=[[0, 1], [2, 3], [4, 5]])).contacts(path)
     assert len(contacts) == 2

@@ -17,7 +17,7 @@ def test_many_motions_have_the_answers_that_they_have_alone(cube: tamis.Shape) -
     rng = np.random.default_rng(5)
     start = at((0, 5, 0), (4, 5, 0)) + rng.uniform(-1, 1, (40, 2, 2, 3))
     end = start + rng.uniform(-1, 1, (40, 2, 2, 3)) + [[0, -2.5, 0], [0, 0, 0]]
-    motions = tamis.interpolated(start.reshape(-1, 2, 3), end.reshape(-1, 2, 3)).reshape(40, 2, 1, 4, 3)
+    motions = tamis.interpolated_chain(start.reshape(-1, 2, 3), end.reshape(-1, 2, 3)).reshape(40, 2, 1, 4, 3)
     found = world.earliest_many(arm, motions)
     assert world.is_free()  # the bodies still have their own motions
     assert found.toi_lower.shape == found.toi_upper.shape == found.is_free.shape == (40,)
@@ -36,7 +36,7 @@ def test_many_motions_that_do_not_fit(cube: tamis.Shape) -> None:
     world = tamis.World()
     places = at((0, 0, 0), (4, 0, 0))
     bodies = world.add_many(cube, places)
-    motions = np.broadcast_to(tamis.between(places, places), (3, 2, 2, 4, 3))
+    motions = np.broadcast_to(tamis.chain_between(places, places), (3, 2, 2, 4, 3))
     assert world.earliest_many(bodies, motions).is_free.all()
     assert len(world.earliest_many(bodies, motions[:0]).toi_lower) == 0
     assert not world.earliest_many(

@@ -37,7 +37,7 @@ def test_thickness_and_a_separation_of_one_question(falling: tamis.Scene) -> Non
     assert len(detector.contacts(falling.start, falling.start, min_separation=0.8)) > 0
     plain = tamis.Detector(falling.mesh)
     safe = plain.safe_step(falling.start, falling.end, 0.5, min_separation=0.5)
-    assert safe.lower == pytest.approx(0.125, abs=1e-6)
+    assert safe.toi_lower == pytest.approx(0.125, abs=1e-6)
     for bad in (-1.0, float("nan"), float("inf")):
         with pytest.raises(tamis.InvalidOptions):
             plain.is_free(falling.start, falling.end, min_separation=bad)

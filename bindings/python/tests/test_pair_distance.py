@@ -50,9 +50,9 @@ def test_distances_are_those_of_near_pairs(soup: tamis.Scene) -> None:
 
 def test_a_pair_keeps_its_distance() -> None:
     kept = tamis.safe_step(VF, [0, 1, 2, 3], START, END, 0.2)
-    assert 0.199 < kept.lower <= 0.2 <= kept.upper
+    assert 0.199 < kept.toi_lower <= 0.2 <= kept.toi_upper
     assert kept.pair == tamis.distance_of(VF, [0, 1, 2, 3], START)[0]
-    assert 0.124 < tamis.safe_step(VF, [0, 1, 2, 3], START, END, 0, min_separation=0.5).lower <= 0.125
+    assert 0.124 < tamis.safe_step(VF, [0, 1, 2, 3], START, END, 0, min_separation=0.5).toi_lower <= 0.125
     assert tamis.safe_step(VF, [0, 1, 2, 3], START, END, 0.2, latest=0.1) == (0.1, 1.0, None)
     with pytest.raises(tamis.InvalidOptions):
         tamis.safe_step(VF, [0, 1, 2, 3], START, END, 1.0)

@@ -19,7 +19,7 @@ STILL = np.zeros((2, 3))
 def turning_rod() -> tamis.RigidPath:
     """Return the path of a rod along x that turns by 90 degrees about z, through a post at 45 degrees at t = 0.5."""
     rest = [[0, 0, 0], [2, 0, 0], [1, 1, -1], [1, 1, 1]]
-    chain = tamis.turned(STILL, [0, 0, math.pi / 2], [0, 0, 0])
+    chain = tamis.turned_chain(STILL, [0, 0, math.pi / 2], [0, 0, 0])
     return tamis.RigidPath(rest, [0, 0, 1, 1], [chain, np.empty((0, 4, 3))])
 
 
@@ -44,7 +44,7 @@ def test_a_full_turn_that_no_straight_step_sees() -> None:
     rest = [[2, 0, 0], [-1, 2, -1], [-1, -2, -1], [-1, 0, 3]]
     rest[1:] = [[0, 2 + dy, dz] for dy, dz in ((-1, -1), (1, -1), (0, 2))]
     path = tamis.RigidPath(
-        rest, [0, 1, 1, 1], [tamis.turned(STILL, [0, 0, 2 * math.pi], [0, 0, 0]), np.empty((0, 4, 3))]
+        rest, [0, 1, 1, 1], [tamis.turned_chain(STILL, [0, 0, 2 * math.pi], [0, 0, 0]), np.empty((0, 4, 3))]
     )
     found = tamis.narrow_phase(VF, [0, 1, 2, 3], path)
     assert found.touches[0] and found.toi_lower[0] <= 0.25 <= found.toi_upper[0]
@@ -55,13 +55,13 @@ def test_a_full_turn_that_no_straight_step_sees() -> None:
 
 def test_chains() -> None:
     end = [[1, 2, 3], [0, 0, 1]]
-    assert tamis.interpolated(STILL, end).shape == (1, 4, 3)
-    path = tamis.RigidPath([[1, 0, 0]], [0], [tamis.between(STILL, end)])
+    assert tamis.interpolated_chain(STILL, end).shape == (1, 4, 3)
+    path = tamis.RigidPath([[1, 0, 0]], [0], [tamis.chain_between(STILL, end)])
     assert np.allclose(path.points_at(1), [[1 + math.cos(1), 2 + math.sin(1), 3]], atol=1e-12)
 
 
 def test_a_body_that_deforms_while_it_turns() -> None:
-    turn = tamis.turned(STILL, [0, 0, math.pi], [0, 0, 0])
+    turn = tamis.turned_chain(STILL, [0, 0, math.pi], [0, 0, 0])
     path = tamis.RigidPath([[1, 0, 0], [0, 0, 0]], [0, 1], [turn, np.empty((0, 4, 3))], [[3, 0, 0], [0, 4, 0]])
     assert np.allclose(path.points_at(0.5), [[0, 2, 0], [0, 2, 0]], atol=1e-12)
     met = tamis.narrow_phase(tamis.PairKind.VERTEX_VERTEX, [[0, 1, -1, -1]], path, min_separation=1e-9)
@@ -80,7 +80,7 @@ def test_bad_paths() -> None:
     with pytest.raises(tamis.InvalidPath):
         turning_rod().points_at(1.5)
     with pytest.raises(tamis.InvalidPath):
-        tamis.between(STILL, [[0, 0, 0]])
+        tamis.chain_between(STILL, [[0, 0, 0]])
     with pytest.raises(tamis.InvalidOptions):
         tamis.narrow_phase(EE, [0, 1, 2, 3], turning_rod(), tolerance=0.0)
 

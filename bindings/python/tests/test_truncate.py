@@ -25,7 +25,7 @@ def test_every_pair_keeps_its_fraction(keep: float) -> None:
     step = detector.truncate(scene.start, scene.end, keep)
     assert step.is_free and step.fractions.min() < 1
     before = detector.pairs_within(scene.start, 0.05)
-    assert tamis.Detector(scene.mesh).safe_step(scene.start, step.positions, keep).lower == 1
+    assert tamis.Detector(scene.mesh).safe_step(scene.start, step.positions, keep).toi_lower == 1
     after = tamis.distance_of(before.kind, before.vertices, step.positions)
     assert (after.distance >= keep * before.distance * (1 - 1e-9)).all()
 

@@ -14,7 +14,7 @@ import tamis
 def test_removed_switched_off_and_kept_apart(cube: tamis.Shape) -> None:
     world = tamis.World()
     bodies = world.add_many(cube, at((0, 0, 0), (10, 0, 0), (20, 0, 0)))
-    flying = world.add(cube, tamis.between(at((-5, 0, 0)), at((25, 0, 0)))[0])
+    flying = world.add(cube, tamis.chain_between(at((-5, 0, 0)), at((25, 0, 0)))[0])
 
     def met() -> set[int]:
         return {*world.contacts().bodies.ravel().tolist()} - {flying}
@@ -40,7 +40,7 @@ def test_one_that_is_not_there_leaves_all_as_they_were(cube: tamis.Shape, bad: i
     """Bug: the bodies named before a wrong one were removed, switched off or moved, though the call failed."""
     world = tamis.World()
     world.add_many(cube, at((0, 0, 0), (0, 10, 0)))
-    world.add_many(cube, tamis.between(at((0, 0, 5), (0, 10, 5)), at((0, 0, 0), (0, 10, 0))))
+    world.add_many(cube, tamis.chain_between(at((0, 0, 5), (0, 10, 5)), at((0, 0, 0), (0, 10, 0))))
     world.remove(world.add(cube))  # 4
     before = world.contacts()
     assert {*before.bodies.ravel().tolist()} == {0, 1, 2, 3}
@@ -63,11 +63,11 @@ def test_one_that_is_not_there_leaves_all_as_they_were(cube: tamis.Shape, bad: i
 def test_radii_and_steps_of_bodies_that_turn(cube: tamis.Shape) -> None:
     world = tamis.World()
     low, high = world.add_many(cube, at((0, 0, 0), (0, 0, 3)))
-    world.move(high, tamis.interpolated(at((0, 0, 3))[0], np.array([[0, 0, 2], [0, 0, 0.5]])))
+    world.move(high, tamis.interpolated_chain(at((0, 0, 3))[0], np.array([[0, 0, 2], [0, 0, 0.5]])))
     assert world.is_free()
     step = world.safe_step(0.6, tolerance=1e-6)
     assert step.pair is not None
-    assert 0.79 < step.lower < 0.81  # from the distance 2 down to 1.2
+    assert 0.79 < step.toi_lower < 0.81  # from the distance 2 down to 1.2
     world.set_radius([low, high], 0.75)
     assert abs(world.earliest().toi_lower - 0.5) < 1e-6
     for bad in (-1.0, float("nan")):
@@ -86,8 +86,8 @@ def test_thousands_in_one_call(cube: tamis.Shape) -> None:
     bodies = world.add_many(cube, still)
     assert world.is_free()
     up = tamis.pose_of(np.tile([1, 0, 0, 0], (8000, 1)).astype(np.float32), places + np.array([0, 0, 0.9]))
-    world.move_many(bodies, tamis.between(still, up))
+    world.move_many(bodies, tamis.chain_between(still, up))
     assert world.is_free()
     one = bodies[places[:, 2] == 0][:1]
-    world.move_many(one, tamis.between(still[one], at(places[one[0]] + np.array([0, 0, 2.5]))))
+    world.move_many(one, tamis.chain_between(still[one], at(places[one[0]] + np.array([0, 0, 2.5]))))
     assert {*world.contacts().bodies.ravel().tolist()} == {int(one[0]), int(one[0]) + 1}

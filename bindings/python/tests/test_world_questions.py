@@ -38,7 +38,7 @@ def test_the_contacts_of_a_detector(cube: tamis.Shape) -> None:
     random = np.random.default_rng(5)
     starts, ends = (at(*random.uniform(-2, 2, (12, 3))) for _ in range(2))
     world = tamis.World(threads=1)
-    bodies = world.add_many(cube, tamis.between(starts, ends))
+    bodies = world.add_many(cube, tamis.chain_between(starts, ends))
     assert bodies.tolist() == [*range(12)]
     found = world.contacts()
     detector, start, end = _one_mesh(starts, ends)
@@ -66,7 +66,7 @@ def test_the_contacts_of_a_detector(cube: tamis.Shape) -> None:
 def test_tables_have_the_bodies(cube: tamis.Shape) -> None:
     world = tamis.World()
     world.add(cube)
-    world.add(cube, tamis.between(at((3, 0, 0)), at((0.5, 0, 0)))[0])
+    world.add(cube, tamis.chain_between(at((3, 0, 0)), at((0.5, 0, 0)))[0])
     contacts = world.contacts()
     assert contacts.bodies.base is not None and contacts.bodies.shape == (len(contacts), 2)
     one = contacts[0]
@@ -79,7 +79,7 @@ def test_tables_have_the_bodies(cube: tamis.Shape) -> None:
     near = world.pairs_within(2)
     assert near[0].bodies == (0, 1) and near.distance.min() == 2 and [*near.to_pandas().columns[:2]] == ["b0", "b1"]
     world.move(1, at((0.5, 0.5, 0.5))[0])
-    world.move(0, tamis.between(at((0, 0, 0)), at((0, 0, 1)))[0])
+    world.move(0, tamis.chain_between(at((0, 0, 0)), at((0, 0, 1)))[0])
     assert world.has_intersection()
     crossing = world.intersections()
     assert len(crossing) and crossing[0].bodies in ((0, 1), (1, 0))
@@ -94,7 +94,7 @@ def test_features_are_those_of_both_meshes() -> None:
     loose = tamis.Mesh(np.empty((0, 3), int), 4, edges=[[1, 3]], points=[2])
     rod = tamis.Shape(loose, [[0.0, 0, 0], [-0.5, 0.5, 1], [0.5, 0.25, 1], [3, 0.5, 1]])
     world = tamis.World(min_separation=0.1)
-    bodies = [world.add(plate), world.add(rod, tamis.between(at((0, 0, 0)), at((0, 0, -2)))[0])]
+    bodies = [world.add(plate), world.add(rod, tamis.chain_between(at((0, 0, 0)), at((0, 0, -2)))[0])]
     meshes = dict(zip(bodies, (plate.mesh, loose)))
     found: tuple[tamis.BodyContacts | tamis.BodyNearPairs, ...] = (world.contacts(), world.pairs_within(1.5))
     for rows in found:
@@ -119,7 +119,7 @@ def test_features_are_those_of_both_meshes() -> None:
 def test_a_table_is_saved(cube: tamis.Shape, tmp_path: pathlib.Path) -> None:
     world = tamis.World()
     world.add(cube)
-    world.add(cube, tamis.between(at((3, 0, 0)), at((0.5, 0, 0)))[0])
+    world.add(cube, tamis.chain_between(at((3, 0, 0)), at((0.5, 0, 0)))[0])
     contacts = world.contacts()
     contacts.save(tmp_path / "contacts.csv")
     head, *rows = (line.split(",") for line in (tmp_path / "contacts.csv").read_text().splitlines())
@@ -137,7 +137,7 @@ def test_a_table_is_saved(cube: tamis.Shape, tmp_path: pathlib.Path) -> None:
 
 def test_turning_bodies_and_their_paths(cube: tamis.Shape) -> None:
     """A cube turns in place beside another: only its corners reach the other, as on a RigidPath."""
-    chain = tamis.turned(at((0, 0, 0))[0], [0, 0, np.pi / 2], [0, 0, 0])
+    chain = tamis.turned_chain(at((0, 0, 0))[0], [0, 0, np.pi / 2], [0, 0, 0])
     world = tamis.World(min_separation=0.01)
     world.add(cube, chain)
     still = world.add(cube, at((1.15, 0, 0))[0])
@@ -152,14 +152,14 @@ def test_turning_bodies_and_their_paths(cube: tamis.Shape) -> None:
     assert 0 < ours.toi_lower < 0.5 and abs(ours.toi_lower - theirs.toi_lower) <= 2e-6
     assert ours.toi_upper - ours.toi_lower <= 1e-6
     step = world.safe_step()
-    assert step.pair is not None and 0 < step.lower < ours.toi_lower and step.upper - step.lower < 1e-6
+    assert step.pair is not None and 0 < step.toi_lower < ours.toi_lower and step.toi_upper - step.toi_lower < 1e-6
     world.move(still, at((5, 0, 0))[0])
     assert world.is_free() and world.safe_step().pair is None
 
 
 def test_vertices_are_on_their_curves(cube: tamis.Shape) -> None:
     """Would catch points on the chord of a turn, or in the body's frame."""
-    chain = tamis.turned(at((0, 0, 0))[0], [0, 0, np.pi / 2], [2, 0, 0])
+    chain = tamis.turned_chain(at((0, 0, 0))[0], [0, 0, np.pi / 2], [2, 0, 0])
     world = tamis.World()
     turning, still = world.add(cube, chain), world.add(cube, at((5, 0, 0))[0])
     points, error = world.points_at(turning, 0.5)

@@ -1,7 +1,7 @@
 //! Bodies that move, each with its own mesh: what touches, when first, and a proof where nothing does.
 //!
 //! ```
-//! use tamis::{Motion, Pose, Query, Shape, World};
+//! use tamis::{Motion, Pose, PathOptions, Shape, World};
 //!
 //! let wall = Shape::new(
 //!     &[[0.0, -9.0, -9.0], [0.0, 9.0, -9.0], [0.0, 9.0, 9.0], [0.0, -9.0, 9.0]],
@@ -14,9 +14,9 @@
 //! let mut world = World::new(1)?;
 //! world.add(&wall, &Motion::at(Pose::default()))?;
 //! let flying = world.add(&blade, &Motion::between(&start, &end, [0.0; 3])?)?;
-//! let earliest = world.earliest(&Query::default())?;
+//! let earliest = world.earliest(&PathOptions::default())?;
 //! assert_eq!(earliest.contact.unwrap().bodies, [flying, 0]);
-//! assert!((earliest.lower - 0.708005).abs() < 1e-6);
+//! assert!((earliest.toi_lower - 0.708005).abs() < 1e-6);
 //! # Ok::<(), tamis::Error>(())
 //! ```
 //!
@@ -37,10 +37,10 @@ pub use answers::{Contact, Earliest, Intersection, NearPair};
 #[cfg(feature = "clamp")]
 pub use clamp::{ClampOptions, Clamped, End, Inertia, Velocity, WantedStep};
 pub use error::Error;
-pub use motion::{Link, Motion, Pose};
+pub use motion::{Motion, Pose, RigidLink};
 pub use shape::Shape;
 pub use sys::TAMIS_INVALID_MESH;
-pub use world::{AtStart, BodyId, Query, World};
+pub use world::{AtStart, BodyId, PathOptions, World};
 
 /// The version of the library that is linked, such as "0.1.0".
 pub fn version() -> String {

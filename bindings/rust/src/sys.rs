@@ -83,8 +83,8 @@ pub struct NearPair {
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct tamis_safe_step {
     pub size: usize,
-    pub lower: f64,
-    pub upper: f64,
+    pub toi_lower: f64,
+    pub toi_upper: f64,
     pub has_pair: i32,
     pub pair: NearPair,
 }
@@ -239,13 +239,13 @@ extern "C" { pub fn tamis_vertex_edge(pairs: *mut tamis_pairs, count: usize, sta
 extern "C" { pub fn tamis_vertex_vertex(pairs: *mut tamis_pairs, count: usize, start: *const f64, end: *const f64, results: *mut tamis_pair_result, result_size: usize) -> c_int; }
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct tamis_pair {
+pub struct tamis_feature_pair {
     pub kind: i32,
     pub vertices: [i32; 4],
 }
-extern "C" { pub fn tamis_narrow_phase(pairs: *mut tamis_pairs, list: *const tamis_pair, count: usize, step: *const tamis_step, results: *mut tamis_pair_result, result_size: usize) -> c_int; }
-extern "C" { pub fn tamis_distances_of(pairs: *mut tamis_pairs, list: *const tamis_pair, count: usize, step: *const tamis_step, answers: *mut NearPair, answer_size: usize) -> c_int; }
-extern "C" { pub fn tamis_pair_safe_step(pairs: *mut tamis_pairs, pair: *const tamis_pair, step: *const tamis_step, keep: f64, answer: *mut tamis_safe_step) -> c_int; }
+extern "C" { pub fn tamis_narrow_phase(pairs: *mut tamis_pairs, list: *const tamis_feature_pair, count: usize, step: *const tamis_step, results: *mut tamis_pair_result, result_size: usize) -> c_int; }
+extern "C" { pub fn tamis_distances_of(pairs: *mut tamis_pairs, list: *const tamis_feature_pair, count: usize, step: *const tamis_step, answers: *mut NearPair, answer_size: usize) -> c_int; }
+extern "C" { pub fn tamis_pair_safe_step(pairs: *mut tamis_pairs, pair: *const tamis_feature_pair, step: *const tamis_step, keep: f64, answer: *mut tamis_safe_step) -> c_int; }
 #[repr(C)]
 pub struct tamis_path {
     _private: [u8; 0],
@@ -262,15 +262,15 @@ pub struct Pose {
 /// A pose whose position and rotation vector go linearly from `start` (t=0) to `end` (t=1). Any angle.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Link {
+pub struct RigidLink {
     /// At t=0.
     pub start: Pose,
     /// At t=1.
     pub end: Pose,
 }
-extern "C" { pub fn tamis_turned(start: *const Pose, turn: *const f64, end_position: *const f64, center: *const f64, links: *mut Link) -> c_int; }
-extern "C" { pub fn tamis_between(start: *const Pose, end: *const Pose, center: *const f64, links: *mut Link) -> c_int; }
-extern "C" { pub fn tamis_pose_at(links: *const Link, count: usize, time: f64, pose: *mut Pose) -> c_int; }
+extern "C" { pub fn tamis_turned_chain(start: *const Pose, turn: *const f64, end_position: *const f64, center: *const f64, links: *mut RigidLink) -> c_int; }
+extern "C" { pub fn tamis_chain_between(start: *const Pose, end: *const Pose, center: *const f64, links: *mut RigidLink) -> c_int; }
+extern "C" { pub fn tamis_pose_at(links: *const RigidLink, count: usize, time: f64, pose: *mut Pose) -> c_int; }
 extern "C" { pub fn tamis_nlerp_deviation(start: *const Pose, end: *const Pose, part: *mut f64) -> c_int; }
 extern "C" { pub fn tamis_pose_of_quaternion(quaternion: *const f64, position: *const f64, pose: *mut Pose) -> c_int; }
 extern "C" { pub fn tamis_pose_of_matrix(rows: *const f64, position: *const f64, pose: *mut Pose) -> c_int; }
@@ -283,7 +283,7 @@ pub struct tamis_rigid_path_input {
     pub body_of_vertex: *const i32,
     pub body_count: usize,
     pub links_of_body: *const usize,
-    pub links: *const Link,
+    pub links: *const RigidLink,
     pub rest_end: *const f64,
 }
 zeroed!(tamis_rigid_path_input);
@@ -389,7 +389,7 @@ pub struct tamis_motions {
     pub size: usize,
     pub count: usize,
     pub poses: *const Pose,
-    pub links: *const Link,
+    pub links: *const RigidLink,
     pub links_of_each: usize,
     pub start: *const f64,
     pub end: *const f64,
@@ -403,18 +403,9 @@ extern "C" { pub fn tamis_world_remove(world: *mut tamis_world, bodies: *const i
 extern "C" { pub fn tamis_world_set_enabled(world: *mut tamis_world, bodies: *const i32, count: usize, is_enabled: c_int) -> c_int; }
 extern "C" { pub fn tamis_world_set_radius(world: *mut tamis_world, bodies: *const i32, count: usize, radius: f64) -> c_int; }
 extern "C" { pub fn tamis_world_set_may_touch(world: *mut tamis_world, bodies: *const i32, count: usize, may_touch: c_int) -> c_int; }
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct tamis_query_options {
-    pub size: usize,
-    pub min_separation: *const f64,
-    pub at_start: i32,
-    pub tolerance: f64,
-}
-zeroed!(tamis_query_options);
-extern "C" { pub fn tamis_world_contacts(world: *mut tamis_world, options: *const tamis_query_options, count: *mut usize) -> c_int; }
-extern "C" { pub fn tamis_world_first_contacts(world: *mut tamis_world, options: *const tamis_query_options, count: *mut usize) -> c_int; }
-extern "C" { pub fn tamis_world_earliest(world: *mut tamis_world, options: *const tamis_query_options, toi_lower: *mut f64, toi_upper: *mut f64, count: *mut usize) -> c_int; }
+extern "C" { pub fn tamis_world_contacts(world: *mut tamis_world, options: *const tamis_path_options, count: *mut usize) -> c_int; }
+extern "C" { pub fn tamis_world_first_contacts(world: *mut tamis_world, options: *const tamis_path_options, count: *mut usize) -> c_int; }
+extern "C" { pub fn tamis_world_earliest(world: *mut tamis_world, options: *const tamis_path_options, toi_lower: *mut f64, toi_upper: *mut f64, count: *mut usize) -> c_int; }
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct tamis_earliest {
@@ -423,12 +414,12 @@ pub struct tamis_earliest {
     pub has_contact: i32,
     pub contact: Contact,
 }
-extern "C" { pub fn tamis_world_earliest_many(world: *mut tamis_world, bodies: *const i32, body_count: usize, motions: *const tamis_motions, options: *const tamis_query_options, answers: *mut tamis_earliest, answer_size: usize) -> c_int; }
-extern "C" { pub fn tamis_world_is_free(world: *mut tamis_world, options: *const tamis_query_options, is_free: *mut c_int) -> c_int; }
-extern "C" { pub fn tamis_world_safe_step(world: *mut tamis_world, keep: f64, options: *const tamis_query_options, answer: *mut tamis_safe_step) -> c_int; }
-extern "C" { pub fn tamis_world_pairs_within(world: *mut tamis_world, distance: f64, count: *mut usize) -> c_int; }
-extern "C" { pub fn tamis_world_intersections(world: *mut tamis_world, count: *mut usize) -> c_int; }
-extern "C" { pub fn tamis_world_has_intersection(world: *mut tamis_world, has_intersection: *mut c_int) -> c_int; }
+extern "C" { pub fn tamis_world_earliest_many(world: *mut tamis_world, bodies: *const i32, body_count: usize, motions: *const tamis_motions, options: *const tamis_path_options, answers: *mut tamis_earliest, answer_size: usize) -> c_int; }
+extern "C" { pub fn tamis_world_is_free(world: *mut tamis_world, options: *const tamis_path_options, is_free: *mut c_int) -> c_int; }
+extern "C" { pub fn tamis_world_safe_step(world: *mut tamis_world, keep: f64, options: *const tamis_path_options, answer: *mut tamis_safe_step) -> c_int; }
+extern "C" { pub fn tamis_world_pairs_within(world: *mut tamis_world, distance: f64, include_static: c_int, count: *mut usize) -> c_int; }
+extern "C" { pub fn tamis_world_intersections(world: *mut tamis_world, include_static: c_int, count: *mut usize) -> c_int; }
+extern "C" { pub fn tamis_world_has_intersection(world: *mut tamis_world, include_static: c_int, has_intersection: *mut c_int) -> c_int; }
 extern "C" { pub fn tamis_world_copy_contacts(world: *mut tamis_world, first: usize, count: usize, contacts: *mut Contact, contact_size: usize) -> c_int; }
 extern "C" { pub fn tamis_world_copy_pairs_within(world: *mut tamis_world, first: usize, count: usize, pairs: *mut NearPair, pair_size: usize) -> c_int; }
 extern "C" { pub fn tamis_world_copy_intersections(world: *mut tamis_world, first: usize, count: usize, intersections: *mut Intersection, intersection_size: usize) -> c_int; }

@@ -1,6 +1,6 @@
 use crate::answers::{Contact, Earliest, Intersection, NearPair};
 use crate::error::{check, text, Error};
-use crate::motion::{Link, Motion};
+use crate::motion::{Motion, RigidLink};
 use crate::shape::Shape;
 use crate::sys;
 use std::ffi::c_int;
@@ -23,7 +23,7 @@ pub enum AtStart {
 
 /// Options of one question.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Query {
+pub struct PathOptions {
     /// What becomes of pairs that touch at t=0.
     pub at_start: AtStart,
     /// If a body turns: the widest bracket of a contact, a fraction of the step in (0, 1]; 0: 1e-9.
@@ -122,33 +122,34 @@ impl World {
     }
 
     /// All contacts, sorted by kind, then bodies and vertices.
-    pub fn contacts(&mut self, query: &Query) -> Result<Vec<Contact>, Error> {
+    pub fn contacts(&mut self, options: &PathOptions) -> Result<Vec<Contact>, Error> {
         let mut count = 0;
         // SAFETY: pointers to locals.
-        let status = unsafe { sys::tamis_world_contacts(self.handle, &options_of(query), &mut count) };
+        let status = unsafe { sys::tamis_world_contacts(self.handle, &options_of(options), &mut count) };
         self.checked(status)?;
         self.copied(count, sys::tamis_world_copy_contacts)
     }
 
     /// The first contact of each pair of bodies that touches, and of each deforming body with itself, sorted by the
     /// smaller body, then the greater one.
-    pub fn first_contacts(&mut self, query: &Query) -> Result<Vec<Contact>, Error> {
+    pub fn first_contacts(&mut self, options: &PathOptions) -> Result<Vec<Contact>, Error> {
         let mut count = 0;
         // SAFETY: pointers to locals.
-        let status = unsafe { sys::tamis_world_first_contacts(self.handle, &options_of(query), &mut count) };
+        let status = unsafe { sys::tamis_world_first_contacts(self.handle, &options_of(options), &mut count) };
         self.checked(status)?;
         self.copied(count, sys::tamis_world_copy_contacts)
     }
 
     /// The first contact: how far all bodies may go.
-    pub fn earliest(&mut self, query: &Query) -> Result<Earliest, Error> {
-        let (mut lower, mut upper, mut count) = (0.0, 0.0, 0);
+    pub fn earliest(&mut self, options: &PathOptions) -> Result<Earliest, Error> {
+        let (mut toi_lower, mut toi_upper, mut count) = (0.0, 0.0, 0);
         // SAFETY: pointers to locals.
-        let status =
-            unsafe { sys::tamis_world_earliest(self.handle, &options_of(query), &mut lower, &mut upper, &mut count) };
+        let status = unsafe {
+            sys::tamis_world_earliest(self.handle, &options_of(options), &mut toi_lower, &mut toi_upper, &mut count)
+        };
         self.checked(status)?;
         let contact = self.copied(count, sys::tamis_world_copy_contacts)?.first().copied();
-        Ok(Earliest { lower, upper, contact })
+        Ok(Earliest { toi_lower, toi_upper, contact })
     }
 
     /// For planners: the first contact of each of many motions of some bodies, each named once, while all others move
@@ -159,7 +160,7 @@ impl World {
         &mut self,
         bodies: &[BodyId],
         motions: &[Vec<Motion>],
-        query: &Query,
+        options: &PathOptions,
     ) -> Result<Vec<Earliest>, Error> {
         let (links, links_of_each) = chains_of(bodies, motions)?;
         let given = sys::tamis_motions {
@@ -177,52 +178,53 @@ impl World {
                 bodies.as_ptr(),
                 bodies.len(),
                 &given,
-                &options_of(query),
+                &options_of(options),
                 answers.as_mut_ptr(),
                 size_of::<sys::tamis_earliest>(),
             )
         };
         self.checked(status)?;
         let earliest_of = |answer: sys::tamis_earliest| Earliest {
-            lower: answer.toi_lower,
-            upper: answer.toi_upper,
+            toi_lower: answer.toi_lower,
+            toi_upper: answer.toi_upper,
             contact: (answer.has_contact != 0).then_some(answer.contact),
         };
         Ok(answers.into_iter().map(earliest_of).collect())
     }
 
     /// Is the whole step free of contacts? True is proven.
-    pub fn is_free(&mut self, query: &Query) -> Result<bool, Error> {
+    pub fn is_free(&mut self, options: &PathOptions) -> Result<bool, Error> {
         let mut is_free = 0;
         // SAFETY: pointers to locals.
-        let status = unsafe { sys::tamis_world_is_free(self.handle, &options_of(query), &mut is_free) };
+        let status = unsafe { sys::tamis_world_is_free(self.handle, &options_of(options), &mut is_free) };
         self.checked(status)?;
         Ok(is_free != 0)
     }
 
-    /// Pairs of features within `distance` of each other at t=0.
-    pub fn pairs_within(&mut self, distance: f64) -> Result<Vec<NearPair>, Error> {
+    /// Pairs of features within `distance` of each other at t=0. `include_static`: also of two bodies that stay at a
+    /// pose.
+    pub fn pairs_within(&mut self, distance: f64, include_static: bool) -> Result<Vec<NearPair>, Error> {
         let mut count = 0;
         // SAFETY: a pointer to a local.
-        let status = unsafe { sys::tamis_world_pairs_within(self.handle, distance, &mut count) };
+        let status = unsafe { sys::tamis_world_pairs_within(self.handle, distance, include_static.into(), &mut count) };
         self.checked(status)?;
         self.copied(count, sys::tamis_world_copy_pairs_within)
     }
 
-    /// Edges that pass through triangles at t=0.
-    pub fn intersections(&mut self) -> Result<Vec<Intersection>, Error> {
+    /// Edges that pass through triangles at t=0. `include_static`: also of two bodies that stay at a pose.
+    pub fn intersections(&mut self, include_static: bool) -> Result<Vec<Intersection>, Error> {
         let mut count = 0;
         // SAFETY: a pointer to a local.
-        let status = unsafe { sys::tamis_world_intersections(self.handle, &mut count) };
+        let status = unsafe { sys::tamis_world_intersections(self.handle, include_static.into(), &mut count) };
         self.checked(status)?;
         self.copied(count, sys::tamis_world_copy_intersections)
     }
 
-    /// Is there any intersection? Ends at the first one.
-    pub fn has_intersection(&mut self) -> Result<bool, Error> {
+    /// Is there any intersection? Ends at the first one. `include_static`: also of two bodies that stay at a pose.
+    pub fn has_intersection(&mut self, include_static: bool) -> Result<bool, Error> {
         let mut has_one = 0;
         // SAFETY: a pointer to a local.
-        let status = unsafe { sys::tamis_world_has_intersection(self.handle, &mut has_one) };
+        let status = unsafe { sys::tamis_world_has_intersection(self.handle, include_static.into(), &mut has_one) };
         self.checked(status)?;
         Ok(has_one != 0)
     }
@@ -258,12 +260,14 @@ impl Drop for World {
     }
 }
 
-fn options_of(query: &Query) -> sys::tamis_query_options {
-    sys::tamis_query_options {
-        size: size_of::<sys::tamis_query_options>(),
-        min_separation: query.min_separation.as_ref().map_or(null(), |x| x),
-        at_start: query.at_start as i32,
-        tolerance: query.tolerance,
+/// Points into `options`.
+fn options_of(options: &PathOptions) -> sys::tamis_path_options {
+    sys::tamis_path_options {
+        size: size_of::<sys::tamis_path_options>(),
+        tolerance: options.tolerance,
+        min_separation: options.min_separation.as_ref().map_or(null(), |x| x),
+        at_start: options.at_start as i32,
+        ..sys::tamis_path_options::default()
     }
 }
 
@@ -288,7 +292,7 @@ fn motions_of(motion: &Motion, vertices: usize) -> Result<sys::tamis_motions, Er
 }
 
 /// The links of all chains, one chain after the other, and how many links each chain has.
-fn chains_of(bodies: &[BodyId], motions: &[Vec<Motion>]) -> Result<(Vec<Link>, usize), Error> {
+fn chains_of(bodies: &[BodyId], motions: &[Vec<Motion>]) -> Result<(Vec<RigidLink>, usize), Error> {
     let refuse = |message| Err(Error { status: INVALID_STEP, message });
     if bodies.is_empty() && !motions.is_empty() {
         return Err(Error { status: INVALID_OPTIONS, message: "no body is named: name those that move".to_owned() });

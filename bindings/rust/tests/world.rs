@@ -1,5 +1,5 @@
 //! Asks every question and meets every refusal once; the expected answers are like those of the C++ tests.
-use tamis::{AtStart, BodyId, Error, Motion, Pose, Query, Shape, World, TAMIS_INVALID_MESH};
+use tamis::{AtStart, BodyId, Error, Motion, PathOptions, Pose, Shape, World, TAMIS_INVALID_MESH};
 
 const INVALID_STEP: i32 = 3;
 const INVALID_OPTIONS: i32 = 4;
@@ -23,15 +23,15 @@ fn falling() -> (World, BodyId) {
 #[test]
 fn what_falls_touches_half_way() {
     let (mut world, body) = falling();
-    let earliest = world.earliest(&Query::default()).unwrap();
-    assert!((earliest.lower - 0.5).abs() < 1e-9 && (earliest.upper - 0.5).abs() < 1e-9);
-    let contacts = world.contacts(&Query::default()).unwrap();
+    let earliest = world.earliest(&PathOptions::default()).unwrap();
+    assert!((earliest.toi_lower - 0.5).abs() < 1e-9 && (earliest.toi_upper - 0.5).abs() < 1e-9);
+    let contacts = world.contacts(&PathOptions::default()).unwrap();
     assert!(contacts.contains(&earliest.contact.unwrap()));
-    assert_eq!(world.first_contacts(&Query::default()).unwrap(), [earliest.contact.unwrap()]);
+    assert_eq!(world.first_contacts(&PathOptions::default()).unwrap(), [earliest.contact.unwrap()]);
     assert!(contacts.iter().all(|c| c.bodies.contains(&body) && c.certainty == 0));
-    assert!(!world.is_free(&Query::default()).unwrap());
-    let near = Query { min_separation: Some(0.5), ..Query::default() };
-    assert!((world.earliest(&near).unwrap().lower - 0.25).abs() < 1e-9);
+    assert!(!world.is_free(&PathOptions::default()).unwrap());
+    let near = PathOptions { min_separation: Some(0.5), ..PathOptions::default() };
+    assert!((world.earliest(&near).unwrap().toi_lower - 0.25).abs() < 1e-9);
 }
 
 #[test]
@@ -49,7 +49,7 @@ fn a_radius_is_half_of_a_thickness() {
     let (mut world, body) = falling();
     world.set_radius(body, 0.3).unwrap();
     world.set_radius(0, 0.2).unwrap();
-    assert!((world.earliest(&Query::default()).unwrap().lower - 0.25).abs() < 1e-9);
+    assert!((world.earliest(&PathOptions::default()).unwrap().toi_lower - 0.25).abs() < 1e-9);
     assert!(world.set_radius(body, -1.0).is_err());
 }
 
@@ -57,22 +57,23 @@ fn a_radius_is_half_of_a_thickness() {
 fn many_motions_are_answered_as_each_alone() {
     let (mut world, body) = falling();
     let motions: Vec<_> = [-1.0, 0.5, -3.0].map(|end| vec![Motion::interpolated(at(1.0), at(end))]).into();
-    let many = world.earliest_many(&[body], &motions, &Query::default()).unwrap();
-    assert!(many[1].contact.is_none() && many[1].lower == 1.0);
+    let many = world.earliest_many(&[body], &motions, &PathOptions::default()).unwrap();
+    assert!(many[1].contact.is_none() && many[1].toi_lower == 1.0);
     for (motion, earliest) in motions.iter().zip(&many) {
         world.move_body(body, &motion[0]).unwrap();
-        assert_eq!(*earliest, world.earliest(&Query::default()).unwrap());
+        assert_eq!(*earliest, world.earliest(&PathOptions::default()).unwrap());
     }
-    assert!(world.earliest_many(&[body], &[], &Query::default()).unwrap().is_empty());
-    let refusal = |world: &mut World, motion| world.earliest_many(&[body], &[motion], &Query::default()).unwrap_err();
+    assert!(world.earliest_many(&[body], &[], &PathOptions::default()).unwrap().is_empty());
+    let refusal =
+        |world: &mut World, motion| world.earliest_many(&[body], &[motion], &PathOptions::default()).unwrap_err();
     assert_eq!(refusal(&mut world, vec![]).message, "a motion has 0 chains: give one for each of 1 bodies");
     let stays = refusal(&mut world, vec![Motion::at(at(0.0))]);
     assert_eq!(stays.message, "a body is to stay or to deform: give each a chain of links");
-    let of_nobody = world.earliest_many(&[], &[vec![], vec![]], &Query::default()).unwrap_err();
+    let of_nobody = world.earliest_many(&[], &[vec![], vec![]], &PathOptions::default()).unwrap_err();
     assert_eq!(of_nobody.status, INVALID_OPTIONS);
     assert_eq!(of_nobody.message, "no body is named: name those that move");
     let other = vec![Motion::between(&at(1.0), &at(0.5), [0.0; 3]).unwrap()];
-    let uneven = world.earliest_many(&[body], &[motions[0].clone(), other], &Query::default()).unwrap_err();
+    let uneven = world.earliest_many(&[body], &[motions[0].clone(), other], &PathOptions::default()).unwrap_err();
     assert_eq!(uneven.message, "a chain has 2 links, the first 1: give each as many");
 }
 
@@ -80,14 +81,14 @@ fn many_motions_are_answered_as_each_alone() {
 fn bodies_are_moved_switched_off_and_removed() {
     let (mut world, body) = falling();
     world.move_body(body, &Motion::turned(&at(1.0), [0.0, 0.0, 7.0], [0.0, 0.0, 0.5], [0.0; 3]).unwrap()).unwrap();
-    assert!(world.is_free(&Query::default()).unwrap());
+    assert!(world.is_free(&PathOptions::default()).unwrap());
     world.move_body(body, &Motion::between(&at(1.0), &at(-1.0), [0.0; 3]).unwrap()).unwrap();
-    assert!(!world.is_free(&Query::default()).unwrap());
+    assert!(!world.is_free(&PathOptions::default()).unwrap());
     world.set_enabled(body, false).unwrap();
-    assert!(world.is_free(&Query::default()).unwrap());
+    assert!(world.is_free(&PathOptions::default()).unwrap());
     world.set_enabled(body, true).unwrap();
     world.set_may_touch(0, body, false).unwrap();
-    assert!(world.is_free(&Query::default()).unwrap());
+    assert!(world.is_free(&PathOptions::default()).unwrap());
     world.remove(body).unwrap();
     let refusal = world.remove(body).unwrap_err();
     assert_eq!(refusal.status, INVALID_OPTIONS);
@@ -102,12 +103,12 @@ fn what_deforms_touches_and_is_near_and_passes_through() {
     let mut end = start.clone();
     end[0][2] = 0.1;
     let body = world.add(&shape, &Motion::Deforming { start: start.clone(), end }).unwrap();
-    let through = world.intersections().unwrap();
+    let through = world.intersections(false).unwrap();
     assert!(!through.is_empty() && through.iter().all(|i| i.bodies == [body, 0]));
-    assert!(world.has_intersection().unwrap());
-    let near = world.pairs_within(0.11).unwrap();
+    assert!(world.has_intersection(false).unwrap());
+    let near = world.pairs_within(0.11, false).unwrap();
     assert!(near.iter().any(|n| n.kind == 0 && n.bodies == [body, 0] && (n.distance - 0.1).abs() < 1e-12));
-    assert!((world.earliest(&Query::default()).unwrap().lower - 0.5).abs() < 1e-9);
+    assert!((world.earliest(&PathOptions::default()).unwrap().toi_lower - 0.5).abs() < 1e-9);
     let short = Motion::Deforming { start, end: vec![] };
     let refusal = world.move_body(body, &short).unwrap_err();
     assert_eq!(refusal.status, INVALID_STEP);
@@ -118,7 +119,7 @@ fn what_deforms_touches_and_is_near_and_passes_through() {
 fn what_touches_at_the_start_is_reported_ignored_or_refused() {
     let (mut world, body) = falling();
     world.move_body(body, &Motion::interpolated(at(0.0), at(1.0))).unwrap();
-    let ask = |at_start| Query { at_start, ..Query::default() };
+    let ask = |at_start| PathOptions { at_start, ..PathOptions::default() };
     assert!(!world.is_free(&ask(AtStart::Report)).unwrap());
     assert!(world.is_free(&ask(AtStart::Ignore)).unwrap());
     assert_eq!(world.is_free(&ask(AtStart::Fail)).unwrap_err().status, INVALID_STEP);

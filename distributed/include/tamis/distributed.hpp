@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "tamis/contact.hpp"
@@ -74,25 +75,29 @@ class Detector {
   Detector(Detector&&) noexcept;
   Detector& operator=(Detector&&) noexcept;
 
-  /// Every contact of the step, each on one rank: the rank that gives the position of its first vertex, or the lowest
-  /// of several. Sorted by kind, then vertices. Valid until the next question. `step`: a row for each of
-  /// LocalMesh::vertices. Every question throws InvalidStep as `tamis::Detector` does, and if ranks give one vertex
-  /// different positions. It throws InvalidOptions with AtStart::fail: ranks report pairs that touch at t=0, or ignore
-  /// them.
-  const std::vector<Contact>& contacts(const Step& step, const QueryOptions& = {});
-  /// Collective: the contacts of all ranks from the last question for contacts, sorted, on rank `root`; an empty list
-  /// on all others. Throws InvalidOptions if there is no such rank.
-  std::vector<Contact> gather_contacts(int root = 0);
-  /// As in `tamis::Detector`; the same answer on every rank.
-  EarliestContact earliest(const Step& step, const QueryOptions& = {});
-  bool is_free(const Step& step, const QueryOptions& = {});
-  SafeStep safe_step(const Step& step, double keep = 0.1, const QueryOptions& = {});
+  /// Finds every contact of the step, each on one rank: the rank that gives the position of its first vertex, or the
+  /// lowest of several. `step`: a row for each of LocalMesh::vertices.
+  /// Returns this rank's contacts, sorted by kind, then vertices. The list is valid until the next question.
+  /// Throws InvalidStep as `tamis::Detector` does, and if ranks give one vertex different positions. Throws
+  /// InvalidOptions with AtStart::fail: ranks report pairs that touch at t=0, or ignore them. So do the other
+  /// questions.
+  [[nodiscard]] std::span<const Contact> contacts(const Step& step, const QueryOptions& = {});
+  /// Gathers the contacts of all ranks from the last question for contacts. Collective.
+  /// Returns them sorted on rank `root`, an empty list on all others.
+  /// Throws InvalidOptions if there is no such rank.
+  [[nodiscard]] std::vector<Contact> gather_contacts(int root = 0);
+  /// Find what `tamis::Detector` finds.
+  /// Return the same answer on every rank.
+  [[nodiscard]] EarliestContact earliest(const Step& step, const QueryOptions& = {});
+  [[nodiscard]] bool is_free(const Step& step, const QueryOptions& = {});
+  [[nodiscard]] SafeStep safe_step(const Step& step, double keep = 0.1, const QueryOptions& = {});
 
-  /// The largest number of a vertex that any rank gives or uses, plus 1.
-  Index vertex_count() const;
-  /// Cost and balance of the last question. Both throw Busy while a question is answered.
-  const Statistics& statistics() const;
-  const Balance& balance() const;
+  /// Returns the largest number of a vertex that any rank gives or uses, plus 1.
+  [[nodiscard]] Index vertex_count() const;
+  /// Return cost and balance of the last question.
+  /// Throw Busy while a question is answered.
+  [[nodiscard]] const Statistics& statistics() const;
+  [[nodiscard]] const Balance& balance() const;
 
  private:
   struct State;

@@ -68,8 +68,8 @@ typedef struct tamis_near_pair {
 /** How far a step may go so that every pair keeps a fraction of its distance. */
 typedef struct tamis_safe_step {
   size_t size;
-  double lower; /**< on [0, lower] every pair keeps the fraction, on [0, lower) none touches: proven */
-  double upper; /**< at this time some pair has no more than the fraction left: proven; 1 if not known of any time */
+  double toi_lower;     /**< on [0, toi_lower] every pair keeps the fraction, on [0, toi_lower) none touches: proven */
+  double toi_upper;     /**< at this time some pair has at most the fraction left: proven; 1 if none is known */
   int32_t has_pair;     /**< 0: the whole step may go */
   tamis_near_pair pair; /**< the pair that ends the step, as it is at t=0; no meaning if has_pair is 0 */
 } tamis_safe_step;

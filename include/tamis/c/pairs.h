@@ -44,23 +44,23 @@ TAMIS_API tamis_status tamis_vertex_vertex(tamis_pairs* pairs, size_t count, con
                                            tamis_pair_result* results, size_t result_size);
 
 /** One pair of a list: what a broad phase hands on. */
-typedef struct tamis_pair {
+typedef struct tamis_feature_pair {
   int32_t kind;        /**< TAMIS_VERTEX_FACE, ... */
   int32_t vertices[4]; /**< rows of the step: p a b c, a0 a1 b0 b1, p a b, or p q; unused entries are not read */
-} tamis_pair;
+} tamis_feature_pair;
 
 /** The narrow phase of a list; otherwise the same. The positions may have any number of rows. The step's
  * min_separation, unless it is NULL, replaces that of `pairs`. */
-TAMIS_API tamis_status tamis_narrow_phase(tamis_pairs* pairs, const tamis_pair* list, size_t count,
+TAMIS_API tamis_status tamis_narrow_phase(tamis_pairs* pairs, const tamis_feature_pair* list, size_t count,
                                           const tamis_step* step, tamis_pair_result* results, size_t result_size);
 
 /** The distance of each pair of a list at the step's start, as tamis_detector_pairs_within returns it: no separation is
  * subtracted. Writes `count` answers of `answer_size` = sizeof(tamis_near_pair) bytes. The step's end is not read. */
-TAMIS_API tamis_status tamis_distances_of(tamis_pairs* pairs, const tamis_pair* list, size_t count,
+TAMIS_API tamis_status tamis_distances_of(tamis_pairs* pairs, const tamis_feature_pair* list, size_t count,
                                           const tamis_step* step, tamis_near_pair* answers, size_t answer_size);
 /** As tamis_detector_safe_step, for one pair; 0.1 is a usual fraction. It searches up to the latest time of interest; a
- * pair that keeps its fraction until then has `lower` = that time. */
-TAMIS_API tamis_status tamis_pair_safe_step(tamis_pairs* pairs, const tamis_pair* pair, const tamis_step* step,
+ * pair that keeps its fraction until then has `toi_lower` = that time. */
+TAMIS_API tamis_status tamis_pair_safe_step(tamis_pairs* pairs, const tamis_feature_pair* pair, const tamis_step* step,
                                             double keep, tamis_safe_step* answer);
 
 #ifdef __cplusplus

@@ -19,25 +19,25 @@ typedef struct tamis_pose {
 } tamis_pose;
 
 /** A pose whose position and rotation vector go linearly from `start` (t=0) to `end` (t=1). Any angle. */
-typedef struct tamis_link {
+typedef struct tamis_rigid_link {
   tamis_pose start; /**< at t=0 */
   tamis_pose end;   /**< at t=1 */
-} tamis_link;
+} tamis_rigid_link;
 
 /** Writes the two links of a body's motion: from `start` the body turns at constant speed about the fixed axis of
  * `turn`, by |turn| radians, while one point of it, `center` in its frame, goes straight to `end_position`: engines
  * take the center of mass. `center` NULL: the origin of the body's frame. This call and the next five have no handle
  * that keeps a message. */
-TAMIS_API tamis_status tamis_turned(const tamis_pose* start, const double* turn, const double* end_position,
-                                    const double* center, tamis_link* links);
+TAMIS_API tamis_status tamis_turned_chain(const tamis_pose* start, const double* turn, const double* end_position,
+                                          const double* center, tamis_rigid_link* links);
 /** The same from one pose to the other, by the shorter turn about a fixed axis, at constant speed (slerp). */
-TAMIS_API tamis_status tamis_between(const tamis_pose* start, const tamis_pose* end, const double* center,
-                                     tamis_link* links);
+TAMIS_API tamis_status tamis_chain_between(const tamis_pose* start, const tamis_pose* end, const double* center,
+                                           tamis_rigid_link* links);
 /** Writes the pose of a chain's body at a time in [0,1], for example after a step that is safe until then. */
-TAMIS_API tamis_status tamis_pose_at(const tamis_link* links, size_t count, double time, tamis_pose* pose);
-/** For engines that blend quaternions and normalize them (nlerp): they go the way of tamis_between at another speed. No
- * point is ever farther from its place by tamis_between than *part times its distance from the center. A motion that is
- * free by tamis_between, with this deviation as additional separation, is free by nlerp. */
+TAMIS_API tamis_status tamis_pose_at(const tamis_rigid_link* links, size_t count, double time, tamis_pose* pose);
+/** For engines that blend quaternions and normalize them (nlerp): they go the way of tamis_chain_between at another
+ * speed. No point is ever farther from its place by tamis_chain_between than *part times its distance from the center.
+ * A motion that is free by tamis_chain_between, with this deviation as additional separation, is free by nlerp. */
 TAMIS_API tamis_status tamis_nlerp_deviation(const tamis_pose* start, const tamis_pose* end, double* part);
 /** The pose of a quaternion (w x y z), or of a rotation matrix given by its rows (9 doubles), as engines keep them,
  * also in floats. Both are rotations with rounding errors: the nearest rotation is taken. TAMIS_INVALID_PATH if they
@@ -55,9 +55,9 @@ typedef struct tamis_rigid_path_input {
   /** How many links each body has; 0: the body stays where its points are given. A point of the body goes through the
    * last link first. */
   const size_t* links_of_body;
-  const tamis_link* links; /**< the links of all bodies, one body after the other */
-  const double* rest_end;  /**< vertex_count x 3: where each vertex, which goes straight in that frame, is at t=1; NULL:
-                              all stay */
+  const tamis_rigid_link* links; /**< the links of all bodies, one body after the other */
+  const double* rest_end; /**< vertex_count x 3: where each vertex, which goes straight in that frame, is at t=1; NULL:
+                             all stay */
 } tamis_rigid_path_input;
 
 /** Frames of points: the control points of Bezier curves, or the frames through which a Catmull-Rom spline goes. */
@@ -96,16 +96,17 @@ TAMIS_API const char* tamis_path_message(const tamis_path* path);
 /** Writes where the vertices are at a time in [0,1], rounded to doubles: vertex_count x 3. */
 TAMIS_API tamis_status tamis_path_points_at(tamis_path* path, double time, double* points);
 
-/** Options of one question about a path. A field that is zero has its default. */
+/** Options of one question about a path, or about a world, whose bodies may turn. A field that is zero has its default.
+ */
 typedef struct tamis_path_options {
   size_t size;
   double tolerance;             /**< the widest bracket of a contact, a fraction of the step in (0, 1]; 0: 1e-9 */
-  const double* min_separation; /**< for this question alone; NULL: the detector's, or 0 for pairs */
+  const double* min_separation; /**< for this question alone; NULL: the detector's, the world's, or 0 for pairs */
   /** Only for lists of pairs, where one pair may take seconds: asked again and again; once it returns other than 0, the
-   * call ends with TAMIS_CANCELLED. A detector asks that of its own options. */
+   * call ends with TAMIS_CANCELLED. Detectors and worlds ask that of their own options. */
   int (*is_cancelled)(void* user);
   void* user;       /**< passed to is_cancelled */
-  int32_t at_start; /**< only for a detector's questions: TAMIS_REPORT, TAMIS_IGNORE or TAMIS_FAIL */
+  int32_t at_start; /**< of a detector's or world's questions: TAMIS_REPORT, TAMIS_IGNORE or TAMIS_FAIL */
 } tamis_path_options;
 
 /** As the questions about a step. `options` NULL: the defaults. TAMIS_INVALID_PATH if the path does not fit the mesh or

@@ -53,10 +53,10 @@ TAMIS_API const char* tamis_world_message(const tamis_world* world);
  * body stays where its shape's points are. Arrays hold one body after the other. */
 typedef struct tamis_motions {
   size_t size;
-  size_t count;            /**< number of bodies */
-  const tamis_pose* poses; /**< one for each body, which stays there; or NULL */
-  const tamis_link* links; /**< each body moves by a chain of links, outermost first; or NULL */
-  size_t links_of_each;    /**< number of links of each body's chain; 0 with poses, or start and end */
+  size_t count;                  /**< number of bodies */
+  const tamis_pose* poses;       /**< one for each body, which stays there; or NULL */
+  const tamis_rigid_link* links; /**< each body moves by a chain of links, outermost first; or NULL */
+  size_t links_of_each;          /**< number of links of each body's chain; 0 with poses, or start and end */
   const double* start; /**< each body deforms: three coordinates a vertex, at t=0, in the frame of the world; or NULL */
   const double* end;   /**< the same at t=1; or NULL */
   int32_t vertex_count; /**< with start and end: the vertices of each body, as many as its shape has */
@@ -85,29 +85,20 @@ TAMIS_API tamis_status tamis_world_set_enabled(tamis_world* world, const int32_t
  * distance is at most the minimum separation plus both radii. */
 TAMIS_API tamis_status tamis_world_set_radius(tamis_world* world, const int32_t* bodies, size_t count, double radius);
 /** Sets whether bodies may touch. `bodies`: `count` pairs of bodies; a deforming body with itself is named twice.
- * `may_touch` 0 leaves the pairs out of every answer. At first all may touch, except two that both stay and a body with
- * itself that does not deform: 1 for one of these gives TAMIS_INVALID_OPTIONS, and the pairs before it are set. */
+ * `may_touch` 0 leaves the pairs out of every answer. At first all may touch, except a body with itself that does not
+ * deform: 1 for one of these gives TAMIS_INVALID_OPTIONS, and nothing is set. */
 TAMIS_API tamis_status tamis_world_set_may_touch(tamis_world* world, const int32_t* bodies, size_t count,
                                                  int may_touch);
 
-/** Options of one question. A field that is zero has its default. */
-typedef struct tamis_query_options {
-  size_t size;
-  const double* min_separation; /**< for this question alone; NULL: the world's */
-  int32_t at_start;             /**< TAMIS_REPORT, TAMIS_IGNORE or TAMIS_FAIL */
-  double tolerance; /**< if a body turns: a contact's widest bracket, a fraction of the step in (0, 1]; 0: 1e-9 */
-} tamis_query_options;
-
 /** All contacts, sorted by kind, then bodies and vertices. Writes their number; tamis_world_copy_contacts() copies
  * them. `options` NULL: the defaults, for this and all other questions. */
-TAMIS_API tamis_status tamis_world_contacts(tamis_world* world, const tamis_query_options* options, size_t* count);
+TAMIS_API tamis_status tamis_world_contacts(tamis_world* world, const tamis_path_options* options, size_t* count);
 /** The first contact of each pair of bodies that touches, and of each deforming body with itself: of all contacts of
  * the pair the one with the least toi_lower, and of several such the first by kind, then bodies and vertices. Sorted by
  * the smaller body, then the greater one. Writes their number; tamis_world_copy_contacts() copies them. */
-TAMIS_API tamis_status tamis_world_first_contacts(tamis_world* world, const tamis_query_options* options,
-                                                  size_t* count);
+TAMIS_API tamis_status tamis_world_first_contacts(tamis_world* world, const tamis_path_options* options, size_t* count);
 /** As tamis_detector_earliest. */
-TAMIS_API tamis_status tamis_world_earliest(tamis_world* world, const tamis_query_options* options, double* toi_lower,
+TAMIS_API tamis_status tamis_world_earliest(tamis_world* world, const tamis_path_options* options, double* toi_lower,
                                             double* toi_upper, size_t* count);
 /** The first contact of one of many motions. */
 typedef struct tamis_earliest {
@@ -122,24 +113,23 @@ typedef struct tamis_earliest {
  * so on. Writes an answer of `answer_size` = sizeof(tamis_earliest) bytes for each motion. Threads share the motions;
  * each answer has the bits that it has alone. Afterwards the bodies have the motions of before. */
 TAMIS_API tamis_status tamis_world_earliest_many(tamis_world* world, const int32_t* bodies, size_t body_count,
-                                                 const tamis_motions* motions, const tamis_query_options* options,
+                                                 const tamis_motions* motions, const tamis_path_options* options,
                                                  tamis_earliest* answers, size_t answer_size);
 /** Writes 1 if the motion of all bodies is free of contacts, else 0. */
-TAMIS_API tamis_status tamis_world_is_free(tamis_world* world, const tamis_query_options* options, int* is_free);
+TAMIS_API tamis_status tamis_world_is_free(tamis_world* world, const tamis_path_options* options, int* is_free);
 /** As tamis_detector_safe_step. If one of two bodies turns, the tolerance counts, and a pair that starts nearer to its
  * separation than doubles can tell ends the step at once. */
-TAMIS_API tamis_status tamis_world_safe_step(tamis_world* world, double keep, const tamis_query_options* options,
+TAMIS_API tamis_status tamis_world_safe_step(tamis_world* world, double keep, const tamis_path_options* options,
                                              tamis_safe_step* answer);
 /** Pairs of features within `distance` plus both radii where all bodies are at t=0, rounded to doubles; sorted as
- * contacts. Writes their number. This question and the next two leave out two static bodies, even where they pass
- * through each other. To ask about them before the first step tell them a link whose pose is the same at both ends,
- * ask, and tell them their poses again. */
-TAMIS_API tamis_status tamis_world_pairs_within(tamis_world* world, double distance, size_t* count);
-/** Every edge that passes through a triangle or touches it at t=0, sorted by bodies, edge and face; not of two static
- * bodies. Writes their number. */
-TAMIS_API tamis_status tamis_world_intersections(tamis_world* world, size_t* count);
-/** Writes 1 if there is any intersection, not of two static bodies, else 0. Ends at the first one. */
-TAMIS_API tamis_status tamis_world_has_intersection(tamis_world* world, int* has_intersection);
+ * contacts. Writes their number. `include_static` 0: this question and the next two skip two bodies that stay at a
+ * pose, even where they pass through each other. Other than 0: ask about these, too, as before the first step. */
+TAMIS_API tamis_status tamis_world_pairs_within(tamis_world* world, double distance, int include_static, size_t* count);
+/** Every edge that passes through a triangle or touches it at t=0, sorted by bodies, edge and face. Writes their
+ * number. */
+TAMIS_API tamis_status tamis_world_intersections(tamis_world* world, int include_static, size_t* count);
+/** Writes 1 if there is any intersection, else 0. Ends at the first one. */
+TAMIS_API tamis_status tamis_world_has_intersection(tamis_world* world, int include_static, int* has_intersection);
 
 /** As the calls tamis_detector_copy_...; vertices are those of the bodies' own meshes. */
 TAMIS_API tamis_status tamis_world_copy_contacts(tamis_world* world, size_t first, size_t count,

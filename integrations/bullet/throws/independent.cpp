@@ -95,9 +95,9 @@ int touching_steps(std::span<const Triangles> bodies, const Places& places) {
                     {.threads = 1, .filter = PairFilter::no_self_contact(body_of_vertex)});
   int touching = 0;
   for (std::size_t step = 0; step + 1 < places.size(); ++step) {
-    std::vector<Chain> ways;
+    std::vector<RigidChain> ways;
     for (std::size_t body = 0; body < bodies.size(); ++body)
-      ways.push_back(between(pose_of(places[step][body]), pose_of(places[step + 1][body])));
+      ways.push_back(chain_between(pose_of(places[step][body]), pose_of(places[step + 1][body])));
     touching += !detector.is_free(RigidPath(points, body_of_vertex, ways));
   }
   return touching;

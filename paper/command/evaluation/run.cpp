@@ -74,15 +74,15 @@ class Contest {
     const bool is_first = result_.steps++ == 0;
     std::vector<ContactList> answers;
     for (std::size_t i = 0; i < result_.methods.size(); ++i) {
-      if (is_first) detectors_[i].contacts(step);
+      if (is_first) (void)detectors_[i].contacts(step);
       const double start = processor_seconds();
-      const ContactList& found = detectors_[i].contacts(step);
+      const std::span<const Contact> found = detectors_[i].contacts(step);
       result_.methods[i].seconds += processor_seconds() - start;
-      answers.push_back(found);
+      answers.emplace_back(found.begin(), found.end());
       add_stages(detectors_[i].statistics(), result_.methods[i]);
     }
     compare(answers, result_.methods);
-    detectors_.back().contacts(step);
+    (void)detectors_.back().contacts(step);
     add_stages(detectors_.back().statistics(), result_.sieve);
   }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <span>
 
 #include "paper/detector.hpp"
 #include "paper/reduced_scene.hpp"
@@ -21,7 +22,7 @@ Options subspace_options(std::shared_ptr<const ReducedModel> model) {
 
 using Vertices = std::vector<std::pair<PairKind, std::array<Index, 4>>>;
 
-Vertices vertices_of(const std::vector<Contact>& contacts) {
+Vertices vertices_of(std::span<const Contact> contacts) {
   Vertices result;
   for (const Contact& c : contacts) result.emplace_back(c.kind, c.vertices);
   return result;

@@ -14,7 +14,7 @@ namespace tamis {
 namespace {
 
 /// Is a rotation vector of the link longer than kLargestRoundedAngle, or not finite?
-bool turns_far(const Link& link) {
+bool turns_far(const RigidLink& link) {
   const auto is_far = [](const Pose& pose) {
     const auto [x, y, z] = pose.rotation;
     return !is_finite(pose.rotation) || std::hypot(x, y, z) > kLargestRoundedAngle;
@@ -40,14 +40,14 @@ RoundedTransform rounded(const RigidTransform& exact) {
 }
 
 /// Rotations differ by no more, as matrices, than their rotation vectors: the error of the vector bounds the matrix'.
-RoundedTransform rounded_near(const Link& link, double time) {
+RoundedTransform rounded_near(const RigidLink& link, double time) {
   const RoundedPlace turn = rounded_linear(link.start.rotation, link.end.rotation, time);
   const RoundedPlace shift = rounded_linear(link.start.position, link.end.position, time);
   const RoundedRotation rotation = rounded_rotation(turn.x, kRootOfThree * kRoundedUp * turn.error);
   return {rotation.rows, shift.x, rotation.error, shift.error, 0};
 }
 
-RoundedTransform rounded_link(const Link& link, double time) {
+RoundedTransform rounded_link(const RigidLink& link, double time) {
   RoundedTransform result = turns_far(link) ? rounded(transform_of(link, time)) : rounded_near(link, time);
   result.shift_size = largest_coordinate(result.shift);
   return result;
@@ -82,8 +82,8 @@ RoundedTransform with_norms(RoundedTransform transform) {
 
 }  // namespace
 
-RoundedTransform transform_at(const Chain& chain, double time) {
-  if (chain.empty()) return rounded_link(Link{}, time);
+RoundedTransform transform_at(const RigidChain& chain, double time) {
+  if (chain.empty()) return rounded_link(RigidLink{}, time);
   RoundedTransform result = rounded_link(chain.back(), time);
   if (chain.size() == 1) return result;
   result = with_norms(result);
@@ -92,7 +92,7 @@ RoundedTransform transform_at(const Chain& chain, double time) {
   return result;
 }
 
-Point turned_by(const Chain& chain, double time, const Point& direction) {
+Point turned_by(const RigidChain& chain, double time, const Point& direction) {
   RoundedTransform turn = transform_at(chain, time);
   turn.shift = {0, 0, 0};
   return turn.of(direction);
@@ -114,8 +114,8 @@ bool are_parallel(const Point& a, const Point& b) {
 
 }  // namespace
 
-Point fixed_axis(const Chain& chain) {
-  const auto turns = [](const Link& link) { return link.start.rotation != link.end.rotation; };
+Point fixed_axis(const RigidChain& chain) {
+  const auto turns = [](const RigidLink& link) { return link.start.rotation != link.end.rotation; };
   const auto last = std::find_if(chain.rbegin(), chain.rend(), turns);
   Point axis{0, 0, 0};
   for (auto link = chain.begin(); link != last.base(); ++link)
@@ -126,8 +126,9 @@ Point fixed_axis(const Chain& chain) {
   return axis;
 }
 
-ChainBounds::ChainBounds(const Chain& chain)
-    : turns_(std::ranges::any_of(chain, [](const Link& link) { return link.start.rotation != link.end.rotation; })) {
+ChainBounds::ChainBounds(const RigidChain& chain)
+    : turns_(
+          std::ranges::any_of(chain, [](const RigidLink& link) { return link.start.rotation != link.end.rotation; })) {
   for (const auto& [start, end] : chain)
     links_.push_back({Interval(change(start.rotation, end.rotation)), Interval(change(start.position, end.position)),
                       Interval(farthest(start.position, end.position))});

@@ -59,35 +59,35 @@ struct RoundedTransform {
 };
 
 /// Where a chain takes a body at a time in [0,1].
-RoundedTransform transform_at(const Chain& chain, double time);
+RoundedTransform transform_at(const RigidChain& chain, double time);
 
 /// Turns a direction as the chain turns the body.
-Point turned_by(const Chain& chain, double time, const Point& direction);
+Point turned_by(const RigidChain& chain, double time, const Point& direction);
 
 inline bool operator==(const Pose& a, const Pose& b) { return a.position == b.position && a.rotation == b.rotation; }
-inline bool operator==(const Link& a, const Link& b) { return a.start == b.start && a.end == b.end; }
+inline bool operator==(const RigidLink& a, const RigidLink& b) { return a.start == b.start && a.end == b.end; }
 
 /// The number of outer links that two chains share. They carry both bodies along, so the bodies move relative to each
 /// other as if the chains began behind them (docs/numerics/curves.md, "Bodies that turn together").
-inline std::size_t shared_links(const Chain& a, const Chain& b) {
+inline std::size_t shared_links(const RigidChain& a, const RigidChain& b) {
   std::size_t count = 0;
   while (count < a.size() && count < b.size() && a[count] == b[count]) ++count;
   return count;
 }
 
 /// A chain without its first links.
-inline Chain without(const Chain& chain, std::size_t links) {
+inline RigidChain without(const RigidChain& chain, std::size_t links) {
   return {chain.begin() + static_cast<std::ptrdiff_t>(links), chain.end()};
 }
 
 /// The fixed axis about which all points turn: the rotation vectors of all links from the outermost to the last that
 /// turns are exactly parallel to it. Zeros if they are not parallel, or if no link turns.
-Point fixed_axis(const Chain& chain);
+Point fixed_axis(const RigidChain& chain);
 
 /// Bounds on how a chain moves the points of a body.
 class ChainBounds {
  public:
-  explicit ChainBounds(const Chain& chain);
+  explicit ChainBounds(const RigidChain& chain);
 
   /// Bounds for a point no farther than `from_origin` from the origin of its body's frame. In that frame it moves by
   /// `displacement`. Linear in `from_origin`, but for rounding.

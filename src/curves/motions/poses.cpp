@@ -109,26 +109,26 @@ Pose pose_of_matrix(const std::array<Point, 3>& given, const Point& position) {
   return {position, rotation_vector(q[0], {q[1], q[2], q[3]})};
 }
 
-Chain interpolated(const Pose& start, const Pose& end) { return {{start, end}}; }
+RigidChain interpolated_chain(const Pose& start, const Pose& end) { return {{start, end}}; }
 
-Chain turned(const Pose& start, const Point& turn, const Point& end_position, const Point& center) {
+RigidChain turned_chain(const Pose& start, const Point& turn, const Point& end_position, const Point& center) {
   const ComputingState state;
   const Point offset = where({{0, 0, 0}, start.rotation}, center);
   const Pose about_center{{0 - offset[0], 0 - offset[1], 0 - offset[2]}, start.rotation};
   return {{{where(start, center), {0, 0, 0}}, {end_position, turn}}, {about_center, about_center}};
 }
 
-Chain between(const Pose& start, const Pose& end, const Point& center) {
+RigidChain chain_between(const Pose& start, const Pose& end, const Point& center) {
   const ComputingState state;
-  return turned(start, shorter_turn(start, end), where(end, center), center);
+  return turned_chain(start, shorter_turn(start, end), where(end, center), center);
 }
 
-Pose pose_at(const Chain& chain, double time) {
+Pose pose_at(const RigidChain& chain, double time) {
   const ComputingState state;
   if (!(0 <= time && time <= 1)) throw InvalidPath("time is " + number_text(time) + ": give a number in [0,1]");
-  for (const Link& link : chain) require_finite(link.start, link.end);
+  for (const RigidLink& link : chain) require_finite(link.start, link.end);
   if (chain.empty()) return {};
-  if (const Link& link = chain.front(); chain.size() == 1)
+  if (const RigidLink& link = chain.front(); chain.size() == 1)
     return {rounded_linear(link.start.position, link.end.position, time).x,
             rounded_linear(link.start.rotation, link.end.rotation, time).x};
   const RoundedTransform there = transform_at(chain, time);

@@ -14,7 +14,7 @@ namespace tamis {
 namespace {
 
 void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_vertex,
-              const std::vector<Chain>& chains, const std::vector<Point>& rest_end) {
+              const std::vector<RigidChain>& chains, const std::vector<Point>& rest_end) {
   if (rest.size() != body_of_vertex.size())
     throw InvalidPath("the path has " + std::to_string(rest.size()) + " rest positions and " +
                       std::to_string(body_of_vertex.size()) + " numbers of bodies: give one each a vertex");
@@ -29,7 +29,7 @@ void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_
                         ": bodies must be in [0, " + std::to_string(chains.size()) + ")");
   }
   for (std::size_t b = 0; b < chains.size(); ++b)
-    for (const Link& link : chains[b])
+    for (const RigidLink& link : chains[b])
       if (!is_finite(link.start) || !is_finite(link.end))
         throw InvalidPath("a pose of body " + std::to_string(b) +
                           " is not finite: give finite positions and rotation vectors");
@@ -38,14 +38,14 @@ void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_
 }  // namespace
 
 struct RigidPath::Motion {
-  Motion(std::vector<Point> r, std::vector<Index> body_of_each, std::vector<Chain> c, std::vector<Point> end)
+  Motion(std::vector<Point> r, std::vector<Index> body_of_each, std::vector<RigidChain> c, std::vector<Point> end)
       : rest(std::move(r)),
         rest_end(end.empty() ? rest : std::move(end)),
         body_of_vertex(std::move(body_of_each)),
         chains(std::move(c)) {
     validate(rest, body_of_vertex, chains, rest_end);
     const std::vector<ChainBounds> bounds(chains.begin(), chains.end());
-    for (const Chain& chain : chains) axes.push_back(fixed_axis(chain));
+    for (const RigidChain& chain : chains) axes.push_back(fixed_axis(chain));
     for (std::size_t v = 0; v < rest.size(); ++v) {
       const double displacement = rest[v] == rest_end[v] ? 0 : change(rest[v], rest_end[v]);
       curves.push_back(bounds[at(body_of_vertex[v])].of(farthest(rest[v], rest_end[v]), displacement));
@@ -54,12 +54,12 @@ struct RigidPath::Motion {
 
   std::vector<Point> rest, rest_end;
   std::vector<Index> body_of_vertex;
-  std::vector<Chain> chains;
+  std::vector<RigidChain> chains;
   std::vector<Point> axes;        ///< of each chain
   std::vector<Curvature> curves;  ///< of each vertex
 };
 
-RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<Chain> chains,
+RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<RigidChain> chains,
                      std::vector<Point> rest_end)
     : motion_(computing([&] {
         return std::make_shared<const Motion>(std::move(rest), std::move(body_of_vertex), std::move(chains),
@@ -121,21 +121,21 @@ std::optional<CarriedPath> RigidPath::carried(std::span<const Index> vertices) c
   const ComputingState state;
   const std::vector<Point>&rest = motion_->rest, &rest_end = motion_->rest_end;
   const std::vector<Index>& body_of_vertex = motion_->body_of_vertex;
-  const auto chain_of = [&](Index v) -> const Chain& { return motion_->chains[at(body_of_vertex[at(v)])]; };
-  const Chain& first = chain_of(vertices.front());
+  const auto chain_of = [&](Index v) -> const RigidChain& { return motion_->chains[at(body_of_vertex[at(v)])]; };
+  const RigidChain& first = chain_of(vertices.front());
   std::size_t shared = first.size();
   for (const Index v : vertices) shared = std::min(shared, shared_links(first, chain_of(v)));
   const auto stays = [&](Index v) {
     const auto inner = std::span(chain_of(v)).subspan(shared);
     return rest[at(v)] == rest_end[at(v)] &&
-           std::ranges::all_of(inner, [](const Link& link) { return link.start == link.end; });
+           std::ranges::all_of(inner, [](const RigidLink& link) { return link.start == link.end; });
   };
   const bool is_still = std::ranges::all_of(vertices, stays);
   if (shared == 0 && !is_still) return std::nullopt;
 
   std::vector<Point> inner_rest, inner_end;
   std::vector<Index> body_of_each;
-  std::vector<Chain> inner_chains;
+  std::vector<RigidChain> inner_chains;
   for (const Index v : vertices) {
     if (inner_chains.empty() || body_of_vertex[at(v)] != body_of_vertex[at(vertices[body_of_each.size() - 1])])
       inner_chains.push_back(without(chain_of(v), shared));
@@ -143,7 +143,7 @@ std::optional<CarriedPath> RigidPath::carried(std::span<const Index> vertices) c
     inner_end.push_back(rest_end[at(v)]);
     body_of_each.push_back(static_cast<Index>(inner_chains.size()) - 1);
   }
-  Chain carrier(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(shared));
+  RigidChain carrier(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(shared));
   return CarriedPath{std::make_shared<RigidPath>(std::move(inner_rest), std::move(body_of_each),
                                                  std::move(inner_chains), std::move(inner_end)),
                      is_still, [carrier = std::move(carrier)](double time, const Point& direction) {

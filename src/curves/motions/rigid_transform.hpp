@@ -31,7 +31,7 @@ inline Vec3<FineInterval> linear(const Point& start, const Point& end, double ti
   return s * enclosed<DoubleDouble>(start) + t * enclosed<DoubleDouble>(end);
 }
 
-inline RigidTransform transform_of(const Link& link, double time) {
+inline RigidTransform transform_of(const RigidLink& link, double time) {
   return {rotation::matrix(linear(link.start.rotation, link.end.rotation, time)),
           linear(link.start.position, link.end.position, time)};
 }
@@ -48,8 +48,8 @@ inline RigidTransform after(const RigidTransform& outer, const RigidTransform& i
   return both;
 }
 
-inline RigidTransform transform_of(const Chain& chain, double time) {
-  if (chain.empty()) return transform_of(Link{}, 0);
+inline RigidTransform transform_of(const RigidChain& chain, double time) {
+  if (chain.empty()) return transform_of(RigidLink{}, 0);
   auto result = transform_of(chain.back(), time);
   for (auto link = chain.rbegin() + 1; link != chain.rend(); ++link) result = after(transform_of(*link, time), result);
   return result;

@@ -33,7 +33,7 @@ SafeStep PathSearch::find_step_length() {
     const PathQuestion question{carried.path(),     kind, carried.vertices(), kept.low, asked_.tolerance,
                                 query_.is_cancelled};
     const Decision decision = decide_on_path(question, {toi_lower, 1});
-    step.upper = decision.touches() ? decision.upper : 1;
+    step.toi_upper = decision.touches() ? decision.upper : 1;
   }
   return step;
 }

@@ -14,13 +14,12 @@ class ThreadStreams {
   using Shared = typename Consumer::Shared;
 
   /// Keeps a reference.
-  explicit ThreadStreams(Workspace& workspace)
-      : workspace_(workspace), of_threads_([&workspace] { return Consumer(*workspace.threads.local()); }) {}
+  explicit ThreadStreams(Workspace& workspace) : workspace_(workspace) {}
 
   /// Keeps a reference until the next begin().
   void begin(Shared& shared) {
     shared_ = &shared;
-    for (Consumer& one : of_threads_) one.begin(shared);
+    for_each([&](Consumer& one) { one.begin(shared); });
   }
 
   /// Searches the sample's leaf blocks for pairs of all kinds that may touch until `t_limit`.
@@ -54,21 +53,25 @@ class ThreadStreams {
   }
 
   template <class F>
-  void for_each(const F& f) {
-    for (Consumer& one : of_threads_) f(one);
+  void for_each(const F& f) const {
+    for (const std::unique_ptr<Consumer>& one : of_threads_)
+      if (one) f(*one);
   }
   /// The calling thread's consumer.
   Consumer& local() {
-    bool is_known = false;
-    Consumer& one = of_threads_.local(is_known);
-    if (!is_known) one.begin(*shared_);
-    return one;
+    std::unique_ptr<Consumer>& one = of_threads_.local();
+    if (!one) {
+      auto made = std::make_unique<Consumer>(*workspace_.threads.local());
+      made->begin(*shared_);
+      one = std::move(made);
+    }
+    return *one;
   }
 
   /// Sums over all threads of this question.
   SearchCounts counts() const {
     SearchCounts sum;
-    for (const Consumer& one : of_threads_) sum += one.counts();
+    for_each([&](const Consumer& one) { sum += one.counts(); });
     return sum;
   }
   /// Adds the counts to the statistics, and returns them. `wall`: wall-clock seconds of the search. `stages`: those of
@@ -84,7 +87,7 @@ class ThreadStreams {
   /// Bytes held beside the workspace.
   std::uint64_t memory_bytes() const {
     std::uint64_t bytes = 0;
-    for (const Consumer& one : of_threads_) bytes += one.memory_bytes();
+    for_each([&](const Consumer& one) { bytes += one.memory_bytes(); });
     return bytes;
   }
 
@@ -101,16 +104,18 @@ class ThreadStreams {
   void finish() {
     constexpr int kPairsWorthSharing = 512;
     int left = 0;
-    for (const Consumer& one : of_threads_) left += one.waiting();
+    for_each([&](const Consumer& one) { left += one.waiting(); });
     const std::size_t grain = left < kPairsWorthSharing ? of_threads_.size() : 1;
     in_parts(of_threads_.size(), grain, [&](std::size_t begin, std::size_t end) {
-      for (; begin != end; ++begin) of_threads_.begin()[static_cast<std::ptrdiff_t>(begin)].finish();
+      for (; begin != end; ++begin)
+        if (const auto& one = of_threads_.begin()[static_cast<std::ptrdiff_t>(begin)]) one->finish();
     });
   }
 
   Workspace& workspace_;
   Shared* shared_ = nullptr;
-  tbb::enumerable_thread_specific<Consumer> of_threads_;
+  /// Null where memory did not suffice for a consumer: oneTBB keeps an element whose construction threw.
+  tbb::enumerable_thread_specific<std::unique_ptr<Consumer>> of_threads_;
 };
 
 }  // namespace tamis

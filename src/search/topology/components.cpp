@@ -4,7 +4,7 @@
 
 #include "search/topology/at.hpp"
 #include "search/topology/countable.hpp"
-#include "search/topology/rows.hpp"
+#include "search/topology/neighbours.hpp"
 
 namespace tamis {
 namespace {

@@ -96,8 +96,11 @@ Mesh::Mesh(Index vertex_count, std::vector<Face> faces, const std::vector<Edge>&
     if (edges_.empty() || edges_.back() != side.edge) edges_.push_back(side.edge);
     if (side.face >= 0) edges_of_face_[at(side.face)][at(side.side)] = number_of(edges_.size() - 1);
   }
-  faces_of_edge_ = faces_by(number_of(edges_.size()), edges_of_face_);
-  faces_of_vertex_ = faces_by(vertex_count, faces_);
+  IndexRows of_edge = faces_by(number_of(edges_.size()), edges_of_face_), of_vertex = faces_by(vertex_count, faces_);
+  faces_of_edges_ = std::move(of_edge.items);
+  first_face_of_edge_ = std::move(of_edge.offsets);
+  faces_of_vertices_ = std::move(of_vertex.items);
+  first_face_of_vertex_ = std::move(of_vertex.offsets);
 
   std::vector<bool> used(at(vertex_count), false);
   for (const Face& face : faces_)

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "numbers/assert.hpp"
-#include "tamis/components.hpp"
+#include "search/topology/neighbours.hpp"
 
 namespace tamis {
 namespace {

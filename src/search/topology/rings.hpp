@@ -3,6 +3,7 @@
 #include <span>
 
 #include "numbers/held_bytes.hpp"
+#include "search/topology/rows.hpp"
 #include "tamis/mesh.hpp"
 
 namespace tamis {

@@ -27,7 +27,7 @@ RealPoint rotated(const Point& turn, Real part, const RealPoint& x) {
 RealPoint placed(const Pose& pose, const Point& x) {
   return plus_part(real_of(pose.position), 1, rotated(pose.rotation, 1, real_of(x)));
 }
-RealPoint on_chain(const Chain& chain, const Point& point, Real t) {
+RealPoint on_chain(const RigidChain& chain, const Point& point, Real t) {
   RealPoint x = real_of(point);
   for (auto link = chain.rbegin(); link != chain.rend(); ++link)
     x = oracle::position({link->start.rotation, link->end.rotation, link->start.position, link->end.position}, x, t);
@@ -37,10 +37,10 @@ RealPoint on_chain(const Chain& chain, const Point& point, Real t) {
 Pose random_pose(Random& random) { return {random.point_between(-3, 3), random.point_between(-1.8, 1.8)}; }
 
 /// Of where the path has the point.
-Real off_from(const RealPoint& expected, const Chain& chain, double time, const Point& x) {
+Real off_from(const RealPoint& expected, const RigidChain& chain, double time, const Point& x) {
   std::array<Point, 1> point{};
   std::array<double, 1> error{};
-  RigidPath({x}, {0}, {chain}).points_at(time, std::array<Index, 1>{0}, point, error);
+  (void)RigidPath({x}, {0}, {chain}).points_at(time, std::array<Index, 1>{0}, point, error);
   return norm_of(plus_part(real_of(point[0]), -1, expected));
 }
 
@@ -50,7 +50,7 @@ TEST(Motions, TurnAtConstantSpeedAboutACenterThatGoesStraight) {
     const Pose start = random_pose(random);
     const Point turn = random.point_between(-4, 4), end = random.point_between(-3, 3),
                 center = random.point_between(-2, 2), x = random.point_between(-2, 2);
-    const Chain chain = turned(start, turn, end, center);
+    const RigidChain chain = turned_chain(start, turn, end, center);
     for (const double t : {0.0, 0.3, 0.71, 1.0}) {
       const RealPoint arm = rotated(start.rotation, 1, plus_part(real_of(x), -1, real_of(center)));
       const RealPoint expected = plus_part(part_way(placed(start, center), real_of(end), t), 1, rotated(turn, t, arm));
@@ -64,7 +64,7 @@ TEST(Motions, BetweenPosesEndWhereTheyEnd) {
   for (int i = 0; i < 300; ++i) {
     const Pose start = random_pose(random), end = random_pose(random);
     const Point center = random.point_between(-2, 2), x = random.point_between(-2, 2);
-    const Chain chain = between(start, end, center);
+    const RigidChain chain = chain_between(start, end, center);
     EXPECT_LT(off_from(placed(start, x), chain, 0, x), 1e-14L);
     EXPECT_LT(off_from(placed(end, x), chain, 1, x), 2e-14L);
     EXPECT_LE(std::hypot(chain[0].end.rotation[0], chain[0].end.rotation[1], chain[0].end.rotation[2]), 3.1415926536);
@@ -73,8 +73,8 @@ TEST(Motions, BetweenPosesEndWhereTheyEnd) {
 
 TEST(Motions, OfTheOriginStartExactlyWhereTheyAreGiven) {
   const Pose start{{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}};
-  EXPECT_EQ(turned(start, {1, 2, 3}, {4, 5, 6})[0].start.position, start.position);
-  EXPECT_EQ(between(start, {{4, 5, 6}, {}})[0].end.position, (Point{4, 5, 6}));
+  EXPECT_EQ(turned_chain(start, {1, 2, 3}, {4, 5, 6})[0].start.position, start.position);
+  EXPECT_EQ(chain_between(start, {{4, 5, 6}, {}})[0].end.position, (Point{4, 5, 6}));
 }
 
 /// How much of the turn is done at t: a unit quaternion goes straight from (1, 0, 0, 0), and is normalized.
@@ -88,7 +88,7 @@ TEST(Motions, ThatBlendQuaternionsStayAsNearAsTheBoundSays) {
   for (int i = 0; i < 200; ++i) {
     const double size = i % 2 == 0 ? 1.8 : 0.01;
     const Pose start = random_pose(random);
-    const Chain chain = between(start, {{}, random.point_between(-size, size)});
+    const RigidChain chain = chain_between(start, {{}, random.point_between(-size, size)});
     const Point turn = chain[0].end.rotation;
     const double bound = nlerp_deviation({}, {{}, turn});
     const RealPoint x = real_of(random.point_between(-1, 1)), axis = real_of(turn);
@@ -103,14 +103,14 @@ TEST(Motions, ThatBlendQuaternionsStayAsNearAsTheBoundSays) {
     EXPECT_GE(farthest, 0.25 * bound * norm_of(arm) - 1e-17L);
   }
   EXPECT_EQ(nlerp_deviation({}, {}), 0);
-  EXPECT_THROW(nlerp_deviation({}, {{}, {std::nan(""), 0, 0}}), InvalidPath);
+  EXPECT_THROW((void)nlerp_deviation({}, {{}, {std::nan(""), 0, 0}}), InvalidPath);
 }
 
 /// Chains as long as an arm's. Errors are sharp enough to be of use, and deviations hold on pieces.
 TEST(Motions, OfChainsAreWithinTheirErrorsAndDeviations) {
   Random random(4);
   for (int i = 0; i < 200; ++i) {
-    Chain chain;
+    RigidChain chain;
     for (int link = 0; link < 1 + i % 8; ++link) chain.push_back({random_pose(random), random_pose(random)});
     const Point x = random.point_between(-2, 2);
     const RigidPath path({x}, {0}, {chain});

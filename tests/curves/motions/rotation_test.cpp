@@ -113,7 +113,7 @@ TEST(RigidPath, KeepsItsPromises) {
   for (int i = 0; i < 2000; ++i) {
     const Turning body = any_turning(random, std::pow(10.0, random.between(-3, 1.5)));
     const Point x = random.point_between(-2, 2), x_end = i % 2 == 0 ? x : random.point_between(-2, 2);
-    const RigidPath path({x}, {0}, {interpolated({body.p0, body.theta0}, {body.p1, body.theta1})}, {x_end});
+    const RigidPath path({x}, {0}, {interpolated_chain({body.p0, body.theta0}, {body.p1, body.theta1})}, {x_end});
     const auto position = [&](oracle::Real t) {
       return between(oracle::position(body, x, t), oracle::position(body, x_end, t), t);
     };
@@ -142,7 +142,7 @@ TEST(RigidPath, KeepsItsPromises) {
 TEST(RigidPath, ChainsAndTurnsEndWhereTheyShould) {
   Random random(8);
   constexpr std::array<Index, 1> kVertex{0};
-  const auto place = [&](const Chain& chain, const Point& x, double t) {
+  const auto place = [&](const RigidChain& chain, const Point& x, double t) {
     std::array<FinePoint, 1> fine;
     RigidPath({x}, {0}, {chain}).fine_points_at(t, kVertex, fine);
     return oracle::RealPoint{fine[0].high[0], fine[0].high[1], fine[0].high[2]};
@@ -151,14 +151,14 @@ TEST(RigidPath, ChainsAndTurnsEndWhereTheyShould) {
     const Turning a = any_turning(random, 2), b = any_turning(random, 2);
     const Point x = random.point_between(-2, 2);
     const Pose a0{a.p0, a.theta0}, a1{a.p1, a.theta1};
-    const Chain moved = between(a0, a1);
+    const RigidChain moved = chain_between(a0, a1);
     EXPECT_LT(distance_of(place(moved, x, 0), oracle::position(a, x, 0)), 1e-14);
     EXPECT_LT(distance_of(place(moved, x, 1), oracle::position(a, x, 1)), 1e-13);
     // first b, then a
     const double t = random.unit();
     const auto inner = oracle::position(b, x, t);
     const Point y{static_cast<double>(inner[0]), static_cast<double>(inner[1]), static_cast<double>(inner[2])};
-    const Chain chain{{a0, a1}, {{b.p0, b.theta0}, {b.p1, b.theta1}}};
+    const RigidChain chain{{a0, a1}, {{b.p0, b.theta0}, {b.p1, b.theta1}}};
     EXPECT_LT(distance_of(place(chain, x, t), oracle::position(a, y, t)), 1e-14);
   }
 }

@@ -34,7 +34,7 @@ struct Squares {
     body.resize(points.size(), 1);
   }
   RigidPath path() const {
-    std::vector<Chain> chains;
+    std::vector<RigidChain> chains;
     for (std::size_t b = 0; b < 2; ++b) {
       const Point position{middle[b][0], middle[b][1], 0};
       chains.push_back({{{position, {0, 0, 0}}, {position, {0, 0, turn[b]}}}});

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "curves/paths/counted_path.hpp"
 #include "curves/paths/turning_pairs.hpp"
 #include "scenes/shapes.hpp"
 #include "support/contact_sets.hpp"
-#include "support/yardstick/methods.hpp"
+#include "support/copied.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 #include "tamis/spline_path.hpp"
@@ -73,20 +74,27 @@ void expect_as_one_by_one(const Bodies& bodies, const Path& path, double separat
   const std::vector<Contact> truth = one_by_one(bodies.mesh(), options, path);
   double first = 1;
   for (const Contact& c : truth) first = std::min(first, c.toi_lower);
-  for (const int threads : {1, 3}) {
-    options.threads = threads;
-    Detector detector = yardstick::make_detector(bodies.mesh(), options);
-    const std::vector<Contact> contacts = detector.contacts(path);
-    EXPECT_EQ(missing(names_of(truth), names_of(contacts)), "");
-    EXPECT_EQ(missing(names_of(contacts), names_of(truth)), "");
-    for (const Contact& c : contacts) {
-      EXPECT_LE(c.toi_upper - c.toi_lower, 1e-9);
-      const auto alone = std::find_if(truth.begin(), truth.end(), [&](const Contact& other) {
-        return other.kind == c.kind && other.vertices == c.vertices;
-      });
-      if (alone == truth.end() || c.toi_lower == 0) continue;
-      const Point &n = c.normal, &other = alone->normal;
-      EXPECT_GE(n[0] * other[0] + n[1] * other[1] + n[2] * other[2], 1 - 1e-6) << "the same side and direction";
+  for (const Method method : {Method::tamis, Method::paper})
+    for (const int threads : {1, 3}) {
+      options.method = method;
+      options.threads = threads;
+      Detector detector = yardstick::make_detector(bodies.mesh(), options);
+      const std::vector<Contact> contacts = copied(detector.contacts(path));
+      EXPECT_EQ(missing(names_of(truth), names_of(contacts)), "");
+      EXPECT_EQ(missing(names_of(contacts), names_of(truth)), "");
+      for (const Contact& c : contacts) {
+        EXPECT_LE(c.toi_upper - c.toi_lower, 1e-9);
+        const auto alone = std::find_if(truth.begin(), truth.end(), [&](const Contact& other) {
+          return other.kind == c.kind && other.vertices == c.vertices;
+        });
+        if (alone == truth.end() || c.toi_lower == 0) continue;
+        const Point &n = c.normal, &other = alone->normal;
+        EXPECT_GE(n[0] * other[0] + n[1] * other[1] + n[2] * other[2], 1 - 1e-6) << "the same side and direction";
+      }
+      EXPECT_EQ(detector.is_free(path), truth.empty());
+      const EarliestContact earliest = detector.earliest(path);
+      EXPECT_EQ(earliest.contact.has_value(), !truth.empty());
+      EXPECT_NEAR(earliest.toi_lower, first, 1e-9);
     }
     EXPECT_EQ(detector.is_free(path), truth.empty());
     const EarliestContact earliest = detector.earliest(path);
@@ -97,8 +105,9 @@ void expect_as_one_by_one(const Bodies& bodies, const Path& path, double separat
 
 /// One body beside the other, turning about a place between them.
 RigidPath passing(const Bodies& bodies, double distance, double angle) {
-  const Chain turning = turned({{0, 0, 0}, {0.1, 0.2, 0.3}}, {0, 0, angle}, {0, 0, 0});
-  const Chain passing = turned({{distance, 0, 0}, {0, 0.3, 0}}, {0.2, -angle, 0.1}, {distance - 0.1, 0.5, 0});
+  const RigidChain turning = turned_chain({{0, 0, 0}, {0.1, 0.2, 0.3}}, {0, 0, angle}, {0, 0, 0});
+  const RigidChain passing =
+      turned_chain({{distance, 0, 0}, {0, 0.3, 0}}, {0.2, -angle, 0.1}, {distance - 0.1, 0.5, 0});
   return {bodies.rest, bodies.body, {turning, passing}};
 }
 
@@ -194,7 +203,7 @@ TEST(MeshOnPath, ABoltTurnsInItsThreadAndJamsWithoutThePitch) {
   bodies.add(helix(0.8, 1.05, 0, 2));
   bodies.add(helix(0.95, 1.2, kPi, 4));  // half a pitch away
   const auto screwed = [&](double turns, double way) {
-    return RigidPath(bodies.rest, bodies.body, {turned({}, {0, 0, 2 * kPi * turns}, {0, 0, way}), Chain{}});
+    return RigidPath(bodies.rest, bodies.body, {turned_chain({}, {0, 0, 2 * kPi * turns}, {0, 0, way}), RigidChain{}});
   };
   Detector detector = yardstick::make_detector(bodies.mesh(), bodies.options());
   EXPECT_TRUE(detector.is_free(screwed(1.5, 1.5)));
@@ -212,13 +221,13 @@ TEST(MeshOnPath, AnArmOfTwoLinksReachesWhereItShould) {
   bodies.add(scenes::unit_sphere(1), {0.1, 0.1, 0.1});
   bodies.add(scenes::unit_sphere(2), {0.3, 0.3, 0.3});
   // Shoulder turns by 90 degrees, elbow straightens: the hand goes from (0, 0, 0) to (0, 2, 0).
-  const Chain shoulder = turned({}, {0, 0, kPi / 2}, {0, 0, 0}),
-              elbow = turned({{1, 0, 0}, {0, 0, kPi}}, {0, 0, -kPi}, {1, 0, 0});
-  Chain arm = shoulder;
+  const RigidChain shoulder = turned_chain({}, {0, 0, kPi / 2}, {0, 0, 0}),
+                   elbow = turned_chain({{1, 0, 0}, {0, 0, kPi}}, {0, 0, -kPi}, {1, 0, 0});
+  RigidChain arm = shoulder;
   arm.insert(arm.end(), elbow.begin(), elbow.end());
   arm.push_back({{{1, 0, 0}, {0, 0, 0}}, {{1, 0, 0}, {0, 0, 0}}});
   const auto with_ball_at = [&](const Point& place) {
-    return RigidPath(bodies.rest, bodies.body, {arm, Chain{{{place, {0, 0, 0}}, {place, {0, 0, 0}}}}});
+    return RigidPath(bodies.rest, bodies.body, {arm, RigidChain{{{place, {0, 0, 0}}, {place, {0, 0, 0}}}}});
   };
   Detector detector = yardstick::make_detector(bodies.mesh(), bodies.options());
   const EarliestContact hit = detector.earliest(with_ball_at({0, 2.2, 0}));
@@ -281,8 +290,9 @@ TEST(MeshOnPath, PiecesAreFewWhereNothingIsNear) {
   options.filter = bodies.options().filter;
   Detector detector(bodies.mesh(), options);
   const auto times_asked = [&](double gap) {
-    const RigidPath path(bodies.rest, bodies.body,
-                         {turned({}, {0, 0, 0.5}, {}), interpolated({{2 + gap, 0, 0}, {}}, {{2 + gap, 0, 0}, {}})});
+    const RigidPath path(
+        bodies.rest, bodies.body,
+        {turned_chain({}, {0, 0, 0.5}, {}), interpolated_chain({{2 + gap, 0, 0}, {}}, {{2 + gap, 0, 0}, {}})});
     const CountedPath counted(path);
     EXPECT_FALSE(detector.earliest(counted).contact);
     return counted.asked;
@@ -297,14 +307,14 @@ TEST(MeshOnPath, BadPathsAreNamed) {
   Bodies bodies;
   bodies.add(scenes::unit_sphere(1));
   Detector detector = yardstick::make_detector(bodies.mesh(), bodies.options());
-  const RigidPath fewer({{0, 0, 0}}, {0}, {Chain{}});
-  EXPECT_THROW(detector.contacts(fewer), InvalidPath);
-  const RigidPath still(bodies.rest, bodies.body, {Chain{}});
+  const RigidPath fewer({{0, 0, 0}}, {0}, {RigidChain{}});
+  EXPECT_THROW((void)detector.contacts(fewer), InvalidPath);
+  const RigidPath still(bodies.rest, bodies.body, {RigidChain{}});
   EXPECT_TRUE(detector.is_free(still));
   for (const double tolerance : {0.0, -1.0, 1.5, std::nan("")})
-    EXPECT_THROW(detector.earliest(still, {.tolerance = tolerance}), InvalidOptions);
-  EXPECT_THROW(detector.is_free(still, {.min_separation = -1.0}), InvalidOptions);
-  EXPECT_THROW(detector.contacts(LyingPath(bodies.rest)), InvalidPath);
+    EXPECT_THROW((void)detector.earliest(still, {.tolerance = tolerance}), InvalidOptions);
+  EXPECT_THROW((void)detector.is_free(still, {.min_separation = -1.0}), InvalidOptions);
+  EXPECT_THROW((void)detector.contacts(LyingPath(bodies.rest)), InvalidPath);
 }
 
 }  // namespace

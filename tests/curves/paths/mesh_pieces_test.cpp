@@ -39,7 +39,7 @@ double farthest_share(const Path& path, double from, double to, const ShiftedCho
 
 TEST(MeshPieces, CurvesStayBesideTheirLines) {
   for (const Point& turn : {Point{0, 0, 0.5}, Point{3, -4, 1}, Point{40, 0, 0}}) {
-    const RigidPath path(kRest, {0, 0, 0}, {turned({{1, 2, 3}, {0.1, 0, 0}}, turn, {2, 2, 2})});
+    const RigidPath path(kRest, {0, 0, 0}, {turned_chain({{1, 2, 3}, {0.1, 0, 0}}, turn, {2, 2, 2})});
     const std::vector<double> ends{0.25, 0.3, 1};
     MeshPieces pieces(kTriangle, path, ends, 0);
     for (MeshMoment from = pieces.moment_at(0); from.time < 1;) {
@@ -52,7 +52,7 @@ TEST(MeshPieces, CurvesStayBesideTheirLines) {
 
 /// Of a turn by little the bound is nearly what the curve strays from its chord; beside that it is three fourths.
 TEST(MeshPieces, LinesBesideChordsAreNearer) {
-  const RigidPath path(kRest, {0, 0, 0}, {turned({}, {0, 0, 0.1}, {})});
+  const RigidPath path(kRest, {0, 0, 0}, {turned_chain({}, {0, 0, 0.1}, {})});
   const std::vector<double> ends{1};
   MeshPieces pieces(kTriangle, path, ends, 0);
   pieces.next(pieces.moment_at(0));
@@ -81,7 +81,7 @@ int pieces_of_a_turn(Index grounds) {
     bodies.insert(bodies.end(), 3, 1);
   }
   const Mesh mesh(static_cast<Index>(points.size()), faces);
-  return count_pieces(mesh, RigidPath(points, bodies, {turned({}, {0, 0, 3}, {}), {}}));
+  return count_pieces(mesh, RigidPath(points, bodies, {turned_chain({}, {0, 0, 3}, {}), {}}));
 }
 
 TEST(MeshPieces, AreAsLongAboveWideTrianglesAsAlone) {
@@ -93,7 +93,7 @@ TEST(MeshPieces, AreAsLongAboveWideTrianglesAsAlone) {
 TEST(MeshPieces, AreAsLongAsASeparationAllows) {
   const auto pieces_of_a_triangle = [](double edge, double separation) {
     const std::vector<Point> points{{1, 0, 0}, {1 + edge, 0, 0}, {1, edge, 0}};
-    return count_pieces(kTriangle, RigidPath(points, {0, 0, 0}, {turned({}, {0, 0, 3}, {})}), separation);
+    return count_pieces(kTriangle, RigidPath(points, {0, 0, 0}, {turned_chain({}, {0, 0, 3}, {})}), separation);
   };
   EXPECT_GT(pieces_of_a_triangle(1e-6, 0), 1000);
   EXPECT_LE(pieces_of_a_triangle(1e-6, 0.5), pieces_of_a_triangle(0.5, 0));
@@ -109,7 +109,8 @@ TEST(MeshPieces, AreNotShorterForAFewVerticesFarAway) {
   const auto pieces_with = [&](const Point& last) {
     points.push_back(last);
     const Mesh mesh(101, scene.faces, {}, {100});
-    const int count = count_pieces(mesh, RigidPath(points, std::vector<Index>(101, 0), {turned({}, {0, 0, 1}, {})}));
+    const int count =
+        count_pieces(mesh, RigidPath(points, std::vector<Index>(101, 0), {turned_chain({}, {0, 0, 1}, {})}));
     points.pop_back();
     return count;
   };

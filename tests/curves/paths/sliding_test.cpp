@@ -85,7 +85,7 @@ TEST(Sliding, WhatTouchesAtTheStartIsKnownAtOnce) {
 }
 
 /// The direction of a point of a body that goes by this chain.
-Point direction_of(const Chain& chain) {
+Point direction_of(const RigidChain& chain) {
   const RigidPath path({{1, 2, 3}}, {0}, {chain});
   Point direction{9, 9, 9};
   path.straight_directions(std::array<Index, 1>{0}, {&direction, 1});
@@ -100,7 +100,7 @@ TEST(Sliding, DirectionsAreAxesThatStay) {
   EXPECT_EQ(direction_of({{skew, further}}), axis);
   EXPECT_EQ(direction_of({{none, skew}, {other, other}}), axis) << "what lies within may be turned";
   EXPECT_EQ(direction_of({{none, skew}, {none, none}, {further, skew}}), axis);
-  EXPECT_EQ(direction_of(turned(other, axis, {5, 5, 5}, {1, 0, 0})), axis);
+  EXPECT_EQ(direction_of(turned_chain(other, axis, {5, 5, 5}, {1, 0, 0})), axis);
   EXPECT_EQ(direction_of({{skew, other}}), no_axis);
   EXPECT_EQ(direction_of({{other, other}, {none, skew}}), no_axis);
   EXPECT_EQ(direction_of({{none, skew}, {none, other}}), no_axis);

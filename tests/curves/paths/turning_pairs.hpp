@@ -15,7 +15,7 @@ using scenes::Random;
 inline constexpr double kPi = std::numbers::pi;
 
 inline RigidPath path_of(const TurningPair& pair) {
-  const auto chain = [](const Turning& b) { return interpolated({b.p0, b.theta0}, {b.p1, b.theta1}); };
+  const auto chain = [](const Turning& b) { return interpolated_chain({b.p0, b.theta0}, {b.p1, b.theta1}); };
   const Index second = pair.kind == PairKind::vertex_face ? 1 : 2;
   std::vector<Index> bodies;
   for (Index v = 0; v < 4; ++v) bodies.push_back(v < second ? 0 : 1);

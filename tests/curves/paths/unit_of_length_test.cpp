@@ -24,8 +24,8 @@ std::vector<Point> scaled(std::vector<Point> points, double scale) {
   return points;
 }
 
-Chain scaled(Chain chain, double scale) {
-  for (Link& link : chain)
+RigidChain scaled(RigidChain chain, double scale) {
+  for (RigidLink& link : chain)
     for (Pose* pose : {&link.start, &link.end})
       for (double& x : pose->position) x *= scale;
   return chain;
@@ -45,8 +45,8 @@ class TwoBalls {
     return options;
   }
   RigidPath turning(double distance, double scale) const {
-    const Chain first = turned({{0, 0, 0}, {0.1, 0.2, 0.3}}, {0, 0, 0.5}, {0, 0, 0}),
-                second = turned({{distance, 0, 0}, {0, 0.3, 0}}, {0.2, -0.5, 0.1}, {distance - 0.1, 0.5, 0});
+    const RigidChain first = turned_chain({{0, 0, 0}, {0.1, 0.2, 0.3}}, {0, 0, 0.5}, {0, 0, 0}),
+                     second = turned_chain({{distance, 0, 0}, {0, 0.3, 0}}, {0.2, -0.5, 0.1}, {distance - 0.1, 0.5, 0});
     return {scaled(rest_, scale), body_, {scaled(first, scale), scaled(second, scale)}};
   }
   /// By control points, or through frames.
@@ -117,7 +117,8 @@ TEST(UnitOfLength, DoesNotMatterToSplines) {
 PairResult lowered_to(double height, int exponent, double separation) {
   const double scale = std::ldexp(1.0, exponent);
   const std::vector<Point> rest{{0.1, 0.2, 0}, {-3, -3, 0}, {3, -3, 0}, {0, 3, 0}};
-  const Chain down = turned({{0, 0, 1}, {0, 0, 0}}, {0, 0, 0.7}, {0, 0, height}), turn = turned({}, {0, 0, 1}, {});
+  const RigidChain down = turned_chain({{0, 0, 1}, {0, 0, 0}}, {0, 0, 0.7}, {0, 0, height}),
+                   turn = turned_chain({}, {0, 0, 1}, {});
   const RigidPath path(scaled(rest, scale), {0, 1, 1, 1}, {scaled(down, scale), scaled(turn, scale)});
   return vertex_face(path, {0, 1, 2, 3}, {separation * scale});
 }

@@ -70,9 +70,9 @@ TEST(LoosePoints, ComeWithinASeparation) {
 
 TEST(LooseFeatures, BadCoordinatesAreNamed) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(vertex_edge({{{0, 0, 0}, {0, 0, 0}, {nan, 0, 0}}}, {{}}), InvalidStep);
-  EXPECT_THROW(vertex_vertex({{{0, 0, 0}, {0, nan, 0}}}, {{}}), InvalidStep);
-  EXPECT_THROW(vertex_vertex({{}}, {{}}, {-1}), InvalidOptions);
+  EXPECT_THROW((void)vertex_edge({{{0, 0, 0}, {0, 0, 0}, {nan, 0, 0}}}, {{}}), InvalidStep);
+  EXPECT_THROW((void)vertex_vertex({{{0, 0, 0}, {0, nan, 0}}}, {{}}), InvalidStep);
+  EXPECT_THROW((void)vertex_vertex({{}}, {{}}, {-1}), InvalidOptions);
 }
 
 }  // namespace

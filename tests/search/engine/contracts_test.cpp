@@ -112,7 +112,7 @@ TEST_F(Contracts, ContactsThatEndBeforeTheyBegin) {
 
 TEST_F(Contracts, FewerResultsThanPairs) {
   const Trees t;
-  const std::vector<Pair> pairs(2, {PairKind::vertex_face, {0, 3, 4, 5}});
+  const std::vector<FeaturePair> pairs(2, {PairKind::vertex_face, {0, 3, 4, 5}});
   std::vector<PairResult> results(1);
   EXPECT_DEATH(decide_part_of_list({pairs, t.step, kernels(Isa::best), PairOptions()}, results), "results.size");
 }

@@ -44,8 +44,8 @@ TEST_F(OneStep, WhatTouchesAtTheStartIsReportedIgnoredOrRefused) {
   const auto ignored = folder_.run("contacts" + wide + "ignore --json").json();
   EXPECT_TRUE(ignored["toi_lower"].is_null() || ignored["toi_lower"] > 0);
   EXPECT_GT(ignored["ignored"], 0);
-  EXPECT_EQ(folder_.run("safe-step" + wide + "report --json").json()["step_lower"], 0);
-  EXPECT_GT(folder_.run("safe-step" + wide + "ignore --json").json()["step_lower"], 0);
+  EXPECT_EQ(folder_.run("safe-step" + wide + "report --json").json()["toi_lower"], 0);
+  EXPECT_GT(folder_.run("safe-step" + wide + "ignore --json").json()["toi_lower"], 0);
   for (const char* verb : {"contacts", "earliest", "safe-step", "is-free", "truncate", "sequence"}) {
     const Outcome refused = folder_.run(verb + wide + "fail");
     EXPECT_EQ(refused.code, 2) << verb << refused.out;
@@ -77,18 +77,18 @@ TEST_F(OneStep, EarliestTellsHowFarItMayGo) {
 TEST_F(OneStep, SafeStepKeepsAFractionOfTheDistance) {
   const auto json = folder_.run("safe-step above.obj below.obj --keep 0.25 --json").json();
   EXPECT_EQ(json["keep"], 0.25);
-  EXPECT_NEAR(json["step_lower"].get<double>(), 0.25, 1e-9);
-  EXPECT_GE(json["step_upper"].get<double>(), 0.25);
+  EXPECT_NEAR(json["toi_lower"].get<double>(), 0.25, 1e-9);
+  EXPECT_GE(json["toi_upper"].get<double>(), 0.25);
   EXPECT_EQ(json["pair"]["vertices"], (std::vector<int>{3, 0, 1, 2}));
   EXPECT_EQ(json["pair"]["distance"], 1);
   const auto alone = folder_.run("safe-step above.obj below.obj --json").json();
   EXPECT_EQ(alone["keep"], 0.1);
-  EXPECT_NEAR(alone["step_lower"].get<double>(), 0.3, 1e-9);
+  EXPECT_NEAR(alone["toi_lower"].get<double>(), 0.3, 1e-9);
   EXPECT_NE(folder_.run("safe-step above.obj below.obj").out.find("keeps 0.1 of its"), std::string::npos);
   const Outcome words = folder_.run("safe-step above.obj below.obj --keep 0");
   EXPECT_NE(words.out.find("no pair touches before it, proven"), std::string::npos) << words.out;
   const auto free = folder_.run("safe-step below.obj lower.obj --keep 0.5 --json").json();
-  EXPECT_EQ(free["step_lower"], 1);
+  EXPECT_EQ(free["toi_lower"], 1);
   EXPECT_TRUE(free["pair"].is_null());
 }
 

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "command/step_files.hpp"
 #include "scenes/point_math.hpp"
@@ -24,7 +25,7 @@ struct Run {
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// FNV-1a over the pairs in their order, which the detector promises.
-std::uint64_t fingerprint_of(const std::vector<Contact>& contacts) {
+std::uint64_t fingerprint_of(std::span<const Contact> contacts) {
   std::uint64_t hash = 0xcbf29ce484222325;
   const auto add = [&](std::uint64_t word) { hash = (hash ^ word) * 0x100000001b3; };
   for (const Contact& c : contacts) {
@@ -39,7 +40,7 @@ using Ask = std::function<void(Detector&, const Step&, BenchmarkResult&)>;
 Ask ask_for(const std::string& question, double keep) {
   if (question == "contacts")
     return [](Detector& detector, const Step& step, BenchmarkResult& result) {
-      const std::vector<Contact>& contacts = detector.contacts(step);
+      std::span<const Contact> contacts = detector.contacts(step);
       const Tally tally = tally_of(contacts);
       result.contacts = contacts.size();
       result.fingerprint = fingerprint_of(contacts);
@@ -61,8 +62,8 @@ Ask ask_for(const std::string& question, double keep) {
     return [keep](Detector& detector, const Step& step, BenchmarkResult& result) {
       const SafeStep safe = detector.safe_step(step, keep);
       result.contacts = safe.pair ? 1 : 0;
-      result.toi_lower = safe.lower;
-      result.toi_upper = safe.upper;
+      result.toi_lower = safe.toi_lower;
+      result.toi_upper = safe.toi_upper;
     };
   throw InvalidOptions(
       fmt::format("there is no question '{}': choose one of {}", question, fmt::join(benchmark_questions(), ", ")));

@@ -24,7 +24,7 @@ class Contacts : public StepVerb {
   int run() override;
 
  private:
-  void write(const Detector& detector, const StepFiles& files, const std::vector<Contact>& contacts) const;
+  void write(const Detector& detector, const StepFiles& files, std::span<const Contact> contacts) const;
   void report(const Tally& tally, const CollapseCheck& collapse, const Detector& detector, const Timing& timing) const;
 
   StartCheck start_check_;

@@ -91,7 +91,7 @@ void Bench::declare_lists(OptionList& options) {
 }
 
 void Bench::check() {
-  for (const std::string& isa : isas_) isa_from_name(isa);
+  for (const std::string& isa : isas_) (void)isa_from_name(isa);  // throws
   ways_ = ways();
   setup_.keep = keep_.part();
   require_known("question", questions_, benchmark_questions());

@@ -54,7 +54,7 @@ class Bodies final : public Verb {
 
   int run() override {
     detector_.check();
-    const QueryOptions own = at_start_.own();
+    const PathOptions own{.at_start = at_start_.own().at_start};
     MovingBodies bodies(path_);
     require_output(out_, bodies.inputs(), true);
     const bool is_film = !out_.empty() && io::format_of(out_, kShownAs) == 1;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "command/answers.hpp"
 #include "command/command_line/printable.hpp"
@@ -29,21 +30,21 @@ int Contacts::run() {
   Detector detector = detector_for(std::move(*asked), std::move(options));
   const Step step = files.step();
   if (!start_check_.passes(detector, step.start)) return start_check_.refuse(detector, json_, Json::object());
-  const std::vector<Contact>* contacts = nullptr;
-  const Timing timing = ask_repeatedly(detector, repeat_, [&] { contacts = &detector.contacts(step, own()); });
-  if (!contacts->empty() && collapse.passes()) note_coincident(detector.mesh(), step.start);
-  write(detector, files, *contacts);
-  report(tally_of(*contacts), collapse, detector, timing);
+  std::span<const Contact> contacts;
+  const Timing timing = ask_repeatedly(detector, repeat_, [&] { contacts = detector.contacts(step, own()); });
+  if (!contacts.empty() && collapse.passes()) note_coincident(detector.mesh(), step.start);
+  write(detector, files, contacts);
+  report(tally_of(contacts), collapse, detector, timing);
   return collapse.passes() ? kSuccess : kNo;
 }
 
-void Contacts::write(const Detector& detector, const StepFiles& files, const std::vector<Contact>& contacts) const {
+void Contacts::write(const Detector& detector, const StepFiles& files, std::span<const Contact> contacts) const {
   if (output_.path().empty()) return;
   io::Recording recording{detector.mesh(), detector.options(), 1, {}, {files.start, files.end}, {}};
   for (const std::filesystem::path name : {start_, end_})
     recording.names.push_back(utf8_text(name.filename().string()));
   recording.at_start = own().at_start;
-  recording.steps.push_back({contacts, detector.statistics().stages});
+  recording.steps.push_back({{contacts.begin(), contacts.end()}, detector.statistics().stages});
   recording.steps.back().ignored = detector.statistics().ignored;
   output_.write(recording);
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "command/collapse_check.hpp"
 #include "command/command_line/printable.hpp"
@@ -50,16 +51,16 @@ class IntersectionsVerb final : public PoseVerb {
     std::optional<Mesh> asked = collapse.passes() ? std::move(mesh) : collapse.rest();
     if (!asked) return collapse.refuse(json_);
     Detector detector = detector_for(std::move(*asked));
-    const std::vector<Intersection>* found = nullptr;
-    const Timing timing = ask_repeatedly(detector, repeat_, [&] { found = &detector.intersections(positions); });
-    output_.write(recording_of(detector, path_, positions, *found));
-    if (!found->empty() && collapse.passes()) note_coincident(detector.mesh(), positions);
-    report(*found, collapse, detector, timing);
-    return found->empty() && collapse.passes() ? kSuccess : kNo;
+    std::span<const Intersection> found;
+    const Timing timing = ask_repeatedly(detector, repeat_, [&] { found = detector.intersections(positions); });
+    output_.write(recording_of(detector, path_, positions, found));
+    if (!found.empty() && collapse.passes()) note_coincident(detector.mesh(), positions);
+    report(found, collapse, detector, timing);
+    return found.empty() && collapse.passes() ? kSuccess : kNo;
   }
 
  private:
-  void report(const std::vector<Intersection>& found, const CollapseCheck& collapse, const Detector& detector,
+  void report(std::span<const Intersection> found, const CollapseCheck& collapse, const Detector& detector,
               const Timing& timing) const {
     if (json_) {
       Json json{{"intersections", found.size()}, {"pairs", Json::array()}};
@@ -84,7 +85,7 @@ class IntersectionsVerb final : public PoseVerb {
     print_costs(detector.statistics(), timing, repeat_, "edge-face");
   }
 
-  static void print_table(const std::vector<Intersection>& found) {
+  static void print_table(std::span<const Intersection> found) {
     constexpr std::size_t kPrinted = 20;
     fmt::print("intersections   {}\n\n{:<23} {:<31} {:>15}\n", grouped(found.size()), "edge", "face",
                "at, of the edge");

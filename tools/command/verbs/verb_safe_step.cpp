@@ -35,7 +35,7 @@ class SafeStepLength final : public StepVerb {
     SafeStep safe;
     const Timing timing =
         ask_repeatedly(detector, repeat_, [&] { safe = detector.safe_step(step, keep_.part(), own()); });
-    if (safe.lower < 1) note_causes(detector.mesh(), StepVerb::start_, step.start, end_, step.end);
+    if (safe.toi_lower < 1) note_causes(detector.mesh(), StepVerb::start_, step.start, end_, step.end);
     report(safe, detector, timing);
     return kSuccess;
   }

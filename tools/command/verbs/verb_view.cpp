@@ -72,8 +72,8 @@ class View final : public MotionVerb {
     const std::string name = frames.paths().front().string();
     UncollapsedAsker asker(whole);
     Detector* detector = asker.detector_for(name, name, {positions, positions});
-    io::Recording recording = recording_of(whole, name, positions,
-                                           detector ? detector->intersections(positions) : std::vector<Intersection>());
+    io::Recording recording = recording_of(
+        whole, name, positions, detector ? detector->intersections(positions) : std::span<const Intersection>());
     if (detector) recording.pose->stages = detector->statistics().stages;
     recording.pose->collapsed = asker.collapse().text();
     return recording;
@@ -98,7 +98,8 @@ class View final : public MotionVerb {
       recorded.collapsed = asker.collapse().text();
       if (detector)
         asked_of("the step to " + frames.paths()[i].string(), [&] {
-          recorded.contacts = detector->contacts({start, end}, own());
+          const auto found = detector->contacts({start, end}, own());
+          recorded.contacts.assign(found.begin(), found.end());
           recorded.stages = detector->statistics().stages;
           recorded.ignored = detector->statistics().ignored;
         });

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <span>
 
 #include "command/command_line/printable.hpp"
 #include "command/output_file.hpp"
@@ -34,18 +35,18 @@ class Within final : public PoseVerb {
     io::MeshFile file = read();
     const std::vector<Point> positions = file.positions;
     Detector detector = detector_for(io::mesh_of(std::move(file)));
-    const std::vector<NearPair>* pairs = nullptr;
+    std::span<const NearPair> pairs;
     const Timing timing =
-        ask_repeatedly(detector, repeat_, [&] { pairs = &detector.pairs_within(positions, distance_); });
-    if (!out_.empty()) io::write_near_csv(out_, *pairs);
+        ask_repeatedly(detector, repeat_, [&] { pairs = detector.pairs_within(positions, distance_); });
+    if (!out_.empty()) io::write_near_csv(out_, pairs);
     const auto touches = [](const NearPair& pair) { return pair.distance == 0; };
-    if (std::ranges::any_of(*pairs, touches)) note_coincident(detector.mesh(), positions);
-    report(*pairs, detector, timing);
+    if (std::ranges::any_of(pairs, touches)) note_coincident(detector.mesh(), positions);
+    report(pairs, detector, timing);
     return kSuccess;
   }
 
  private:
-  void report(const std::vector<NearPair>& pairs, const Detector& detector, const Timing& timing) const {
+  void report(std::span<const NearPair> pairs, const Detector& detector, const Timing& timing) const {
     std::size_t counts[kPairKinds] = {};
     for (const NearPair& pair : pairs) ++counts[static_cast<std::size_t>(pair.kind)];
     const auto& [vf, ee, ve, vv] = counts;

@@ -1,6 +1,7 @@
 #include "scenes/simulation/simulator.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <tuple>
 
@@ -69,7 +70,8 @@ Simulator::Simulator(Model model)
       start_(model_.particles.position) {
   if (proof_.has_intersection(step().start))
     throw Error("the scene's surfaces touch or pass through each other at the start: move them apart");
-  near_at_start_ = near_.contacts(step());
+  const auto near = near_.contacts(step());
+  near_at_start_.assign(near.begin(), near.end());
 }
 
 Step Simulator::step() const {
@@ -160,7 +162,7 @@ void Simulator::solve(const std::vector<Touch>& touches, double dt) {
 
 bool Simulator::make_free(std::vector<Touch>& touches, double time, double dt) {
   for (int round = 0; round < kRepairRounds; ++round) {
-    const std::vector<Contact>& found = proof_.contacts(step());
+    std::span<const Contact> found = proof_.contacts(step());
     if (found.empty()) return true;
     ++effort_.repairs;
     for (const Contact& c : found) touches.push_back(make_touch(c, start_, model_.thickness));
@@ -175,7 +177,7 @@ bool Simulator::move_in_zones(double time, double dt) {
   motions.push_back(Eigen::Isometry3d::Identity());
   Zones zones(model_.mesh_vertices());
   for (int round = 0; round < kZoneRounds; ++round) {
-    const std::vector<Contact>& found = proof_.contacts(step());
+    std::span<const Contact> found = proof_.contacts(step());
     if (found.empty()) {
       effort_.zone_vertices += static_cast<std::uint64_t>(zones.size());
       return true;

@@ -1,6 +1,7 @@
 #include "scenes/simulation/zones.hpp"
 
 #include <map>
+#include <span>
 
 namespace tamis::simulation {
 namespace {
@@ -22,7 +23,7 @@ Index Zones::root(Index vertex) const {
   return vertex;
 }
 
-void Zones::join(const std::vector<Contact>& contacts) {
+void Zones::join(std::span<const Contact> contacts) {
   for (const Contact& c : contacts) {
     for (Index v : c.vertices) {
       if (parent_[static_cast<std::size_t>(v)] >= 0) continue;

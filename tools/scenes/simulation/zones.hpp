@@ -1,5 +1,6 @@
 // Impact zones: vertices that must move together, because nothing else keeps them apart (Provot 1997).
 #pragma once
+#include <span>
 #include <vector>
 
 #include "scenes/simulation/obstacle.hpp"
@@ -14,7 +15,7 @@ class Zones {
   explicit Zones(Index vertices);
 
   /// The four vertices of each contact, and all they are joined with already, become one zone.
-  void join(const std::vector<Contact>& contacts);
+  void join(std::span<const Contact> contacts);
   /// Moves each zone with the obstacle in it, or else as its momentum takes it. Motion i is that of the body i;
   /// `body_of_vertex`: -1 for vertices that belong to none. False, and nothing is moved, if a zone is caught between
   /// bodies that move differently.

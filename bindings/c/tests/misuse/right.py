@@ -58,13 +58,13 @@ FIELDS = {
 # Fields of one struct that differ: a motion is given in one of several ways.
 LEFT_OUT = {"tamis_motions": {"start": None, "end": None, "vertex_count": 0}}
 INPUTS = ("tamis_step", "tamis_mesh_input", "tamis_options", "tamis_pair_options", "tamis_rigid_path_input",
-          "tamis_spline_path_input", "tamis_path_functions", "tamis_path_options", "tamis_pair", "tamis_pose",
-          "tamis_world_options", "tamis_shape_options", "tamis_query_options", "tamis_motions")
+          "tamis_spline_path_input", "tamis_path_functions", "tamis_path_options", "tamis_feature_pair", "tamis_pose",
+          "tamis_world_options", "tamis_shape_options", "tamis_motions")
 ARGUMENTS = {
     "kind": 0, "stored": 0, "u": .25, "v": .25, "keep": .1, "distance": 1.5, "time": .5, "first": 0, "turn": doubles(0, 0, 1),
     "end_position": doubles(1, 1, 1), "center": doubles(1, 0, 0), "quaternion": doubles(1, 0, 0, 0),
     "links": doubles(*[0] * 12), "rows": doubles(1, 0, 0, 0, 1, 0, 0, 0, 1), "position": doubles(1, 1, 1), "edges": indices(0, 1), "faces": indices(0, 1, 2),
-    "points": doubles(*START), "bodies": indices(0, 1), "body_count": 1, "is_enabled": 1, "may_touch": 0, "radius": 0.25, "body": 0, "vertex_count": 6,
+    "points": doubles(*START), "bodies": indices(0, 1), "body_count": 1, "is_enabled": 1, "may_touch": 0, "include_static": 0, "radius": 0.25, "body": 0, "vertex_count": 6,
 }
 _CORNERS = {"vertex_face": 4, "edge_edge": 4, "vertex_edge": 3, "vertex_vertex": 2}
 

@@ -34,7 +34,7 @@ nb::tuple pair_safe_step(const Kinds& kind, const IndexRowsIn<4>& vertices, cons
 nb::object features(const Mesh& mesh, const Kinds& kinds, const IndexRowsIn<4>& vertices) {
   std::vector<std::array<Index, 2>> places(kinds.shape(0));
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const Pair pair = pair_at(kinds, vertices, i);
+    const FeaturePair pair = pair_at(kinds, vertices, i);
     try {
       places[i] = features_of(mesh, pair.kind, pair.vertices);
     } catch (const InvalidMesh& fault) {

@@ -12,8 +12,8 @@ namespace tamis::python {
 using Kinds = nb::ndarray<const std::uint8_t, nb::shape<-1>, nb::c_contig, nb::device::cpu>;
 
 /// REQUIRES: as many kinds as rows of vertices, which the Python side sees to.
-inline Pair pair_at(const Kinds& kinds, const IndexRowsIn<4>& vertices, std::size_t i) {
-  Pair pair{static_cast<PairKind>(kinds.data()[i]), {}};
+inline FeaturePair pair_at(const Kinds& kinds, const IndexRowsIn<4>& vertices, std::size_t i) {
+  FeaturePair pair{static_cast<PairKind>(kinds.data()[i]), {}};
   std::copy_n(vertices.data() + 4 * i, 4, pair.vertices.begin());
   return pair;
 }

@@ -11,7 +11,7 @@ namespace {
 
 /// Pairs first to last of those that NumPy has.
 void copy_pairs(const Kinds& kinds, const IndexRowsIn<4>& vertices, std::size_t first, std::size_t last,
-                std::vector<Pair>& pairs) {
+                std::vector<FeaturePair>& pairs) {
   pairs.resize(last - first);
   for (std::size_t i = first; i < last; ++i) pairs[i - first] = pair_at(kinds, vertices, i);
 }
@@ -20,7 +20,7 @@ void copy_pairs(const Kinds& kinds, const IndexRowsIn<4>& vertices, std::size_t 
 void decide_in_parts(const Kinds& kinds, const IndexRowsIn<4>& vertices, const Step& step,
                      std::span<PairResult> results, const PairOptions& options) {
   constexpr std::size_t kPart = 1 << 15;
-  std::vector<Pair> pairs;
+  std::vector<FeaturePair> pairs;
   std::size_t first = 0;
   try {
     do {

@@ -21,8 +21,8 @@ using Frames = nb::ndarray<const double, nb::shape<-1, -1, 3>, nb::c_contig, nb:
 
 void make_rigid_path(RigidPath* path, const PointRows& rest, const Indices& bodies, const std::vector<Links>& links,
                      const PointRows& rest_end) {
-  std::vector<Chain> chains;
-  for (const Links& chain : links) chains.push_back(copy_of<Link>(chain));
+  std::vector<RigidChain> chains;
+  for (const Links& chain : links) chains.push_back(copy_of<RigidLink>(chain));
   new (path) RigidPath(copy_of<Point>(rest), copy_of<Index>(bodies), std::move(chains), copy_of<Point>(rest_end));
 }
 
@@ -37,13 +37,13 @@ void make_spline_path(SplinePath* path, const Frames& given) {
 
 /// The first of the vertices, as many as the kind has.
 template <std::size_t corners>
-std::array<Index, corners> first_of(const Pair& pair) {
+std::array<Index, corners> first_of(const FeaturePair& pair) {
   std::array<Index, corners> vertices;
   std::copy_n(pair.vertices.begin(), corners, vertices.begin());
   return vertices;
 }
 
-PairResult decide_on(const Path& path, const Pair& pair, const PairOptions& options) {
+PairResult decide_on(const Path& path, const FeaturePair& pair, const PairOptions& options) {
   switch (pair.kind) {
     case PairKind::vertex_face:
       return vertex_face(path, pair.vertices, options);

@@ -30,27 +30,28 @@ nb::object poses_of(const Rotations& rotations, const PointRows& positions,
 /// All links, one chain after the other.
 template <class ChainAt>
 nb::object chains_of(std::size_t count, const ChainAt& chain_at) {
-  std::vector<Link> links;
+  std::vector<RigidLink> links;
   for (std::size_t i = 0; i < count; ++i) {
-    const Chain chain = chain_at(i);
+    const RigidChain chain = chain_at(i);
     links.insert(links.end(), chain.begin(), chain.end());
   }
   return own<double>(std::move(links));
 }
 
 nb::object each_interpolated(const PoseRows& start, const PoseRows& end) {
-  return chains_of(start.shape(0), [&](std::size_t i) { return interpolated(row<Pose>(start, i), row<Pose>(end, i)); });
+  return chains_of(start.shape(0),
+                   [&](std::size_t i) { return interpolated_chain(row<Pose>(start, i), row<Pose>(end, i)); });
 }
 
 nb::object each_turned(const PoseRows& start, const PointRows& turn, const PointRows& end, const PointRows& center) {
   return chains_of(start.shape(0), [&](std::size_t i) {
-    return turned(row<Pose>(start, i), row<Point>(turn, i), row<Point>(end, i), row<Point>(center, i));
+    return turned_chain(row<Pose>(start, i), row<Point>(turn, i), row<Point>(end, i), row<Point>(center, i));
   });
 }
 
 nb::object each_between(const PoseRows& start, const PoseRows& end, const PointRows& center) {
   return chains_of(start.shape(0), [&](std::size_t i) {
-    return between(row<Pose>(start, i), row<Pose>(end, i), row<Point>(center, i));
+    return chain_between(row<Pose>(start, i), row<Pose>(end, i), row<Point>(center, i));
   });
 }
 

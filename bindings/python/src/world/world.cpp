@@ -63,34 +63,34 @@ class Bodies {
     return nb::make_tuple(own<double>(std::move(found.points)), error);
   }
 
-  nb::object contacts(const QueryOptions& q) {
+  nb::object contacts(const PathOptions& q) {
     return own_bytes(asker_.answer([&] { return world_.contacts(q); }));
   }
-  nb::object first_contacts(const QueryOptions& q) {
+  nb::object first_contacts(const PathOptions& q) {
     return own_bytes(asker_.answer([&] { return world_.first_contacts(q); }));
   }
-  nb::tuple earliest(const QueryOptions& q) {
+  nb::tuple earliest(const PathOptions& q) {
     return earliest_tuple(asker_.answer([&] { return world_.earliest(q); }));
   }
   /// Of chains, one for each of the bodies, then again for the next motion.
-  nb::tuple earliest_many(const Indices& bodies, const Chains& chains, const QueryOptions& q) {
+  nb::tuple earliest_many(const Indices& bodies, const Chains& chains, const PathOptions& q) {
     const ByChains given{chains};
     const auto found = asker_.answer([&] { return world_.earliest_many(of(bodies), all_of(given), q); });
     return earliest_columns(found);
   }
-  bool is_free(const QueryOptions& q) {
+  bool is_free(const PathOptions& q) {
     return asker_.answer([&] { return world_.is_free(q); });
   }
-  nb::object pairs_within(double distance) {
-    return own_bytes(asker_.answer([&] { return world_.pairs_within(distance); }));
+  nb::object pairs_within(double distance, bool include_static) {
+    return own_bytes(asker_.answer([&] { return world_.pairs_within(distance, {include_static}); }));
   }
-  nb::object intersections() {
-    return own_bytes(asker_.answer([&] { return world_.intersections(); }));
+  nb::object intersections(bool include_static) {
+    return own_bytes(asker_.answer([&] { return world_.intersections({include_static}); }));
   }
-  bool has_intersection() {
-    return asker_.answer([&] { return world_.has_intersection(); });
+  bool has_intersection(bool include_static) {
+    return asker_.answer([&] { return world_.has_intersection({include_static}); });
   }
-  nb::tuple safe_step(double keep, const QueryOptions& q) {
+  nb::tuple safe_step(double keep, const PathOptions& q) {
     return step_tuple(asker_.answer([&] { return world_.safe_step(keep, q); }));
   }
 

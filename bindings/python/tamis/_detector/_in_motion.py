@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from typing import overload
+from typing import TYPE_CHECKING, overload
 
 import numpy.typing as npt
 
 from tamis import _core
 from tamis._answers import EarliestContact
 from tamis._mesh import Mesh
-from tamis._motion import AskedMotion, motion
-from tamis._options import AtStart, query_options
+from tamis._motion import AskedMotion, motion_asked
+from tamis._options import AtStart
 from tamis._pages import Asked
 from tamis._paths._path import Path
 from tamis._tables._contacts import Contacts
 from tamis._tables._table import bracket_of
+
+if TYPE_CHECKING:
+    from tamis._motion import Own
 
 
 class InMotion:
@@ -84,9 +87,9 @@ class InMotion:
         InvalidOptions
             An option outside its range, or a tolerance for a step.
         """
-        return self._contacts_of(motion(start, end, tolerance), query_options(min_separation, at_start, tolerance))
+        return self._contacts_of(*motion_asked(start, end, min_separation, at_start, tolerance))
 
-    def _contacts_of(self, moving: AskedMotion, own: _core.QueryOptions) -> Contacts:
+    def _contacts_of(self, moving: AskedMotion, own: Own) -> Contacts:
         """Answer `contacts` for arguments that are already checked."""
         found = self._detector.contacts(own, *moving.native())
         return Contacts(found, Asked(self._mesh._mesh, self._options, moving, own))
@@ -136,8 +139,8 @@ class InMotion:
         InvalidStep, InvalidPath, InvalidOptions
             As in `contacts`.
         """
-        own = query_options(min_separation, at_start, tolerance)
-        found = self._detector.earliest(own, *motion(start, end, tolerance).native())
+        moving, own = motion_asked(start, end, min_separation, at_start, tolerance)
+        found = self._detector.earliest(own, *moving.native())
         return EarliestContact(*bracket_of(found, Contacts))
 
     @overload
@@ -185,5 +188,5 @@ class InMotion:
         InvalidStep, InvalidPath, InvalidOptions
             As in `contacts`.
         """
-        own = query_options(min_separation, at_start, tolerance)
-        return self._detector.is_free(own, *motion(start, end, tolerance).native())
+        moving, own = motion_asked(start, end, min_separation, at_start, tolerance)
+        return self._detector.is_free(own, *moving.native())

@@ -51,7 +51,7 @@ class StepLengths:
         Returns
         -------
         SafeStep
-            On [0, lower] every pair keeps the fraction, proven.
+            On [0, toi_lower] every pair keeps the fraction, proven.
 
         Raises
         ------

@@ -24,9 +24,9 @@ class RigidPath(CompiledPath):
     body_of_vertex : array_like of int, shape (n,)
         The body of each vertex, in [0, len(chains)).
     chains : sequence of array_like, shape (links, 4, 3)
-        One chain a body, as `interpolated`, `turned` and `between` return them. The rows of a link are position and
-        rotation vector (axis times angle in radians) at the start, then at the end; both are linear in t. Outermost
-        link first: a point of the body goes through the last link first.
+        One chain a body, as `interpolated_chain`, `turned_chain` and `chain_between` return them. The rows of a link
+        are position and rotation vector (axis times angle in radians) at the start, then at the end; both are linear in
+        t. Outermost link first: a point of the body goes through the last link first.
     rest_end : array_like, shape (n, 3), optional
         Where each vertex is in its body's frame at the end; it goes there straight. So a body deforms while it turns; a
         body whose chain has no links, shape (0, 4, 3), moves straight. By default all vertices stay at `rest`.
@@ -100,7 +100,7 @@ def pose_of(rotation: npt.ArrayLike, position: npt.ArrayLike) -> Doubles:
     return poses[0] if is_one else poses
 
 
-def interpolated(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
+def interpolated_chain(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
     """Make a chain whose position and rotation vector are linear in t, from one pose to the other.
 
     Parameters
@@ -119,10 +119,10 @@ def interpolated(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
         Other shapes, or numbers that are not finite.
     """
     (first, last), is_one = _alike(start=_poses(start, "start"), end=_poses(end, "end"))
-    return _chains(_core.interpolated(first, last), 1, is_one)
+    return _chains(_core.interpolated_chain(first, last), 1, is_one)
 
 
-def turned(
+def turned_chain(
     start: npt.ArrayLike, turn: npt.ArrayLike, end_position: npt.ArrayLike, *, center: npt.ArrayLike | None = None
 ) -> Doubles:
     """Make a chain that turns at constant speed about a fixed axis while the body's `center` goes straight.
@@ -152,10 +152,10 @@ def turned(
     (first, axes, ends), is_one = _alike(
         start=_poses(start, "start"), turn=_threes(turn, "turn"), end_position=_threes(end_position, "end_position")
     )
-    return _chains(_core.turned(first, axes, ends, _centers(center, len(first))), 2, is_one)
+    return _chains(_core.turned_chain(first, axes, ends, _centers(center, len(first))), 2, is_one)
 
 
-def between(start: npt.ArrayLike, end: npt.ArrayLike, *, center: npt.ArrayLike | None = None) -> Doubles:
+def chain_between(start: npt.ArrayLike, end: npt.ArrayLike, *, center: npt.ArrayLike | None = None) -> Doubles:
     """Make a chain from one pose to the other by the shorter turn about a fixed axis, at constant speed (slerp).
 
     Parameters
@@ -163,7 +163,7 @@ def between(start: npt.ArrayLike, end: npt.ArrayLike, *, center: npt.ArrayLike |
     start, end : array_like, shape (2, 3) or (n, 2, 3)
         The poses of one body, or of n bodies.
     center : array_like, shape (3,) or (n, 3), optional
-        The point of the body that goes straight, as in `turned`.
+        The point of the body that goes straight, as in `turned_chain`.
 
     Returns
     -------
@@ -176,7 +176,7 @@ def between(start: npt.ArrayLike, end: npt.ArrayLike, *, center: npt.ArrayLike |
         Other shapes, or numbers that are not finite.
     """
     (first, last), is_one = _alike(start=_poses(start, "start"), end=_poses(end, "end"))
-    return _chains(_core.between(first, last, _centers(center, len(first))), 2, is_one)
+    return _chains(_core.chain_between(first, last, _centers(center, len(first))), 2, is_one)
 
 
 def pose_at(chain: npt.ArrayLike, time: float) -> Doubles:
@@ -211,7 +211,7 @@ def pose_at(chain: npt.ArrayLike, time: float) -> Doubles:
 
 
 def nlerp_deviation(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
-    """Bound how far the motion of engines that blend and normalize quaternions (nlerp) deviates from `between`.
+    """Bound how far the motion of engines that blend and normalize quaternions (nlerp) deviates from `chain_between`.
 
     Parameters
     ----------
@@ -221,9 +221,9 @@ def nlerp_deviation(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
     Returns
     -------
     array of float64, shape (n,)
-        A factor for each body; n = 1 for one pose. By nlerp no point is ever farther from its place by `between` than
-        this factor times the point's distance from the center. A motion that is free by `between`, with this deviation
-        as additional separation, is free by nlerp.
+        A factor for each body; n = 1 for one pose. By nlerp no point is ever farther from its place by `chain_between`
+        than this factor times the point's distance from the center. A motion that is free by `chain_between`, with this
+        deviation as additional separation, is free by nlerp.
 
     Raises
     ------

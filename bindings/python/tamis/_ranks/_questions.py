@@ -156,7 +156,7 @@ class Questions:
         Returns
         -------
         SafeStep
-            On [0, lower] every pair keeps the fraction, proven.
+            On [0, toi_lower] every pair keeps the fraction, proven.
 
         Raises
         ------

@@ -16,8 +16,8 @@ from tamis._mesh import Mesh, known_mesh
 from tamis._options import Isa
 
 AT_REST = np.zeros((2, 3))
-_MOTION = "give a pose (2, 3), a chain (links, 4, 3) as tamis.between makes one, or a tamis.Deforming"
-_MOTIONS = "give poses (n, 2, 3), as tamis.pose_of makes them, or chains (n, links, 4, 3), as tamis.between does"
+_MOTION = "give a pose (2, 3), a chain (links, 4, 3) as tamis.chain_between makes one, or a tamis.Deforming"
+_MOTIONS = "give poses (n, 2, 3), as tamis.pose_of makes them, or chains (n, links, 4, 3), as tamis.chain_between does"
 
 
 class Shape:

@@ -37,8 +37,8 @@ class Changes:
             The body's shape, which may serve many bodies.
         motion : array_like or Deforming, optional
             A pose, shape (2, 3), position and rotation vector (`pose_of`): the body stays there. A chain, shape
-            (links, 4, 3) (`between`, `interpolated`, `turned`): the body moves by it as a whole. A `Deforming`: each
-            vertex moves by itself. None: the body stays where the points of its shape are.
+            (links, 4, 3) (`chain_between`, `interpolated_chain`, `turned_chain`): the body moves by it as a whole. A
+            `Deforming`: each vertex moves by itself. None: the body stays where the points of its shape are.
 
         Returns
         -------
@@ -65,7 +65,7 @@ class Changes:
         shape : Shape
             The shape of all bodies.
         motions : array_like, shape (n, 2, 3) or (n, links, 4, 3)
-            Poses, at which the bodies stay (`pose_of`), or chains, by which they move (`between`).
+            Poses, at which the bodies stay (`pose_of`), or chains, by which they move (`chain_between`).
 
         Returns
         -------
@@ -100,7 +100,7 @@ class Changes:
         self._world.move(np.array([moved], np.int32), *motion_of(motion, moved))
 
     def move_many(self, bodies: npt.ArrayLike, motions: npt.ArrayLike) -> None:
-        """Set the motions of many bodies from now on: ``world.move_many(bodies, tamis.between(start, end))``.
+        """Set the motions of many bodies from now on: ``world.move_many(bodies, tamis.chain_between(start, end))``.
 
         Parameters
         ----------
@@ -174,7 +174,7 @@ class Changes:
     def set_may_touch(self, bodies: npt.ArrayLike, may_touch: bool) -> None:
         """Set whether pairs of bodies may touch.
 
-        At first all pairs may, except two bodies that both stay at a pose; a deforming body may touch itself.
+        At first all pairs may, and a deforming body may touch itself.
 
         Parameters
         ----------
@@ -186,8 +186,8 @@ class Changes:
         Raises
         ------
         InvalidOptions
-            The world has no such body; then nothing changes. Or `may_touch` is True for two bodies that both stay, or
-            for a body with itself that does not deform; then the pairs before that one are set.
+            The world has no such body, or `may_touch` is True for a body with itself that does not deform; then nothing
+            changes.
         """
         pairs = indices(bodies, 2, "bodies", InvalidOptions, one_may_come_alone=True)
         self._world.set_may_touch(pairs, truth(may_touch, "may_touch"))

@@ -6,8 +6,8 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Doubles
-from tamis._checks import number, whole
-from tamis._options import AtStart, query_options
+from tamis._checks import number, truth, whole
+from tamis._options import AtStart, path_options
 from tamis._tables._table import bracket_of
 from tamis._world._bodies import chains_of_each, numbers_of
 from tamis._world._tables import (
@@ -58,7 +58,7 @@ class Questions:
         InvalidStep
             With ``at_start="fail"``, if a pair touches at t=0.
         """
-        return BodyContacts(self._world.contacts(query_options(min_separation, at_start, tolerance)))
+        return BodyContacts(self._world.contacts(path_options(min_separation, at_start, tolerance)))
 
     def first_contacts(
         self,
@@ -89,7 +89,7 @@ class Questions:
         InvalidStep
             With ``at_start="fail"``, if a pair touches at t=0.
         """
-        return BodyContacts(self._world.first_contacts(query_options(min_separation, at_start, tolerance)))
+        return BodyContacts(self._world.first_contacts(path_options(min_separation, at_start, tolerance)))
 
     def earliest(
         self,
@@ -110,7 +110,7 @@ class Questions:
         EarliestBodyContact
             The motion is free before its `toi_lower`, proven.
         """
-        found = self._world.earliest(query_options(min_separation, at_start, tolerance))
+        found = self._world.earliest(path_options(min_separation, at_start, tolerance))
         return EarliestBodyContact(*bracket_of(found, BodyContacts))
 
     def earliest_many(
@@ -151,7 +151,7 @@ class Questions:
             A body turns too far, as in `add`; with ``at_start="fail"``, a pair touches at t=0.
         """
         named = numbers_of(bodies)
-        asked = query_options(min_separation, at_start, tolerance)
+        asked = path_options(min_separation, at_start, tolerance)
         lower, upper, touching, rows = self._world.earliest_many(named, chains_of_each(motions, named), asked)
         return EarliestMany(lower, upper, touching, BodyContacts(rows))
 
@@ -174,7 +174,7 @@ class Questions:
         bool
             True is a proof. If a body turns, False may be due to a contact that is not certified.
         """
-        return self._world.is_free(query_options(min_separation, at_start, tolerance))
+        return self._world.is_free(path_options(min_separation, at_start, tolerance))
 
     def safe_step(
         self,
@@ -196,8 +196,8 @@ class Questions:
         Returns
         -------
         BodyStep
-            On [0, lower] every pair keeps the fraction, proven. If one of two bodies turns, a pair that starts nearer
-            to its separation than doubles can tell ends the step at once.
+            On [0, toi_lower] every pair keeps the fraction, proven. If one of two bodies turns, a pair that starts
+            nearer to its separation than doubles can tell ends the step at once.
 
         Raises
         ------
@@ -206,19 +206,19 @@ class Questions:
         InvalidStep
             With ``at_start="fail"``, if a pair touches at t=0.
         """
-        asked = query_options(min_separation, at_start, tolerance)
+        asked = path_options(min_separation, at_start, tolerance)
         return BodyStep(*bracket_of(self._world.safe_step(number(keep, "keep"), asked), BodyNearPairs))
 
-    def pairs_within(self, distance: float) -> BodyNearPairs:
+    def pairs_within(self, distance: float, *, include_static: bool = False) -> BodyNearPairs:
         """Find every pair of features that are near each other at t=0.
-
-        Two bodies that both stay at a pose are left out, even where they pass through each other. To ask about them,
-        move one of them by ``interpolated(pose, pose)``.
 
         Parameters
         ----------
         distance : float
             >= 0, in the unit of the points: pairs at most this far apart count. Both radii are added to it.
+        include_static : bool
+            Also ask about two bodies that both stay at a pose, as before the first step. By default they are skipped,
+            even where they pass through each other.
 
         Returns
         -------
@@ -230,32 +230,40 @@ class Questions:
         InvalidOptions
             The distance is negative or not finite.
         """
-        return BodyNearPairs(self._world.pairs_within(number(distance, "distance")))
+        reach, with_static = number(distance, "distance"), truth(include_static, "include_static")
+        return BodyNearPairs(self._world.pairs_within(reach, with_static))
 
-    def intersections(self) -> BodyIntersections:
+    def intersections(self, *, include_static: bool = False) -> BodyIntersections:
         """Find every edge that passes through a triangle or touches it at t=0. Decided exactly.
 
-        Two bodies that both stay at a pose are left out, as in `pairs_within`.
+        Parameters
+        ----------
+        include_static : bool
+            As in `pairs_within`.
 
         Returns
         -------
         BodyIntersections
             Sorted by bodies, edge and face.
         """
-        return BodyIntersections(self._world.intersections())
+        return BodyIntersections(self._world.intersections(truth(include_static, "include_static")))
 
-    def has_intersection(self) -> bool:
+    def has_intersection(self, *, include_static: bool = False) -> bool:
         """Tell whether any edge passes through a triangle or touches it at t=0.
 
-        Decided exactly; ends at the first intersection. Two bodies that both stay at a pose are left out, as in
-        `pairs_within`.
+        Decided exactly; ends at the first intersection.
+
+        Parameters
+        ----------
+        include_static : bool
+            As in `pairs_within`.
 
         Returns
         -------
         bool
             Whether `intersections` has a row.
         """
-        return self._world.has_intersection()
+        return self._world.has_intersection(truth(include_static, "include_static"))
 
     def points_at(self, body: int, time: float) -> tuple[Doubles, float]:
         """Compute where the vertices of a body are at `time`, on the curves that questions are about.

@@ -14,6 +14,7 @@ from tamis._arrays import Doubles, Indices
 from tamis._checks import file_name
 from tamis._errors import Error
 from tamis._kinds import PairKind, both_features
+from tamis._renamed import renamed
 from tamis._tables._columns import Columns, FeaturePairs, numbered
 from tamis._tables._contacts import TouchingPairs
 from tamis._tables._near import ClosePairs, CrossingPairs
@@ -103,19 +104,20 @@ class EarliestBodyContact(NamedTuple):
     contact: BodyContact | None
 
 
+@renamed(lower="toi_lower", upper="toi_upper")
 class BodyStep(NamedTuple):
     """How far all bodies may go so that every pair keeps a fraction of its distance: as `SafeStep`.
 
     Attributes
     ----------
-    lower, upper : float
+    toi_lower, toi_upper : float
         As in `SafeStep`.
     pair : BodyNearPair or None
         The pair that ends the step, as it is at the start; None if the whole step may go.
     """
 
-    lower: float
-    upper: float
+    toi_lower: float
+    toi_upper: float
     pair: BodyNearPair | None
 
 

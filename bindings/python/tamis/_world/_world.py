@@ -51,7 +51,7 @@ class World(Changes, Questions):
     >>> world = World()
     >>> ground = world.add(triangle)
     >>> above, below = [[0.1, 0.1, 1], [0, 0, 0]], [[0.1, 0.1, -1], [0, 0, 0]]
-    >>> falling = world.add(triangle, interpolated(above, below))
+    >>> falling = world.add(triangle, interpolated_chain(above, below))
     >>> round(world.earliest().toi_lower, 9)
     0.5
     """

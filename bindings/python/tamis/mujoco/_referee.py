@@ -11,8 +11,7 @@ from tamis._arrays import Doubles
 from tamis._checks import instance, number_from_zero
 from tamis._detector._detector import Detector
 from tamis._errors import InvalidOptions, InvalidStep
-from tamis._motion import AskedMotion, CurvedMotion, StraightMotion
-from tamis._options import query_options
+from tamis._motion import AskedMotion, CurvedMotion, StraightMotion, own_options
 from tamis._paths._path import Path
 from tamis._tables._near import Intersections
 from tamis.mujoco._kinematics import Carriers
@@ -105,7 +104,6 @@ class Referee:
             groups=self._surfaces.groups,
             may_touch=may_touch(model, self._surfaces.parts),
         )
-        self._asking = query_options(None, "report")
         self._report = RefereeReport()
         self.restart()
 
@@ -154,7 +152,8 @@ class Referee:
         self._require_one_step(*span)
         self._require_integrated()
         self._look()
-        found = self._pins.without(self.detector._contacts_of(self._motion(start), self._asking))
+        moving = self._motion(start)
+        found = self._pins.without(self.detector._contacts_of(moving, own_options(moving)))
         report = self._report
         met = meetings_of(found, self._surfaces.groups, self.names, report.steps, span)
         report.steps += 1

@@ -36,8 +36,8 @@ _NAMED: Mapping[str, Any] = {
     "bodies": [0, 1],
     "body": 0,
     "body_of_vertex": np.zeros(6, int),
-    "chain": tamis.interpolated(_POSE, _POSE),
-    "chains": [tamis.interpolated(_POSE, _POSE)],
+    "chain": tamis.interpolated_chain(_POSE, _POSE),
+    "chains": [tamis.interpolated_chain(_POSE, _POSE)],
     "control_points": np.stack([START, END]),
     "distance": 1.5,
     "edges": np.array([[0, 1], [3, 4]]),
@@ -116,7 +116,7 @@ def _objects() -> list[Any]:
         *(detector.intersections(crossing), tamis.CatmullRomPath(np.stack([START, END]))),
         *(report, report.frames, report.pairs, tamis.Auditor(_MESH, threads=1)),
         tamis.FunctionPath(6, _still, _no_deviation),
-        tamis.RigidPath(START, np.zeros(6, int), [tamis.interpolated(_POSE, _POSE)]),
+        tamis.RigidPath(START, np.zeros(6, int), [tamis.interpolated_chain(_POSE, _POSE)]),
     ]
 
 
@@ -147,7 +147,7 @@ def use(thing: Any) -> None:
 def _of_callee(callee: Callee, folder: pathlib.Path) -> dict[str, Any]:
     """Return the arguments whose right values differ in this call."""
     short = callee.name.rpartition(".")[2]
-    if short in ("interpolated", "turned", "between", "nlerp_deviation"):
+    if short in ("interpolated_chain", "turned_chain", "chain_between", "nlerp_deviation"):
         return {"start": _POSE, "end": _POSE}
     if short == "earliest_many":
         return {"motions": np.zeros((3, 2, 1, 4, 3))}

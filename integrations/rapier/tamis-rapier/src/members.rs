@@ -5,7 +5,7 @@ use glamx::DVec3;
 use rapier3d::math::Pose;
 use rapier3d::prelude::*;
 use std::collections::BTreeMap;
-use tamis::{Error, Link, Motion};
+use tamis::{Error, Motion, RigidLink};
 
 /// Names what moves as a whole by the parts of its handle: a body, or a collider without a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -63,7 +63,11 @@ impl Member {
     pub fn motion(&self) -> Result<Motion, Error> {
         let pose = pose_of(&self.pose, self.content.centre)?;
         // Questions leave out two bodies that are `At`: a body that may move gets a chain that stays.
-        Ok(if self.content.is_fixed { Motion::At(pose) } else { Motion::Along(vec![Link { start: pose, end: pose }]) })
+        Ok(if self.content.is_fixed {
+            Motion::At(pose)
+        } else {
+            Motion::Along(vec![RigidLink { start: pose, end: pose }])
+        })
     }
 }
 

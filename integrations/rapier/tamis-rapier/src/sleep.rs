@@ -85,7 +85,7 @@ impl Clamp {
             return Ok(());
         }
         let ids: Vec<BodyId> = dynamic.iter().map(|(id, _)| *id).collect();
-        let pairs = self.world.pairs_within(NEAR * self.options.gap)?;
+        let pairs = self.world.pairs_within(NEAR * self.options.gap, false)?;
         let on_the_way = |pair: &&NearPair| pair.bodies.iter().any(|&id| self.is_moved(id, bodies));
         let carried: BTreeSet<BodyId> = pairs.iter().filter(on_the_way).flat_map(|pair| pair.bodies).collect();
         let handle_of: BTreeMap<_, _> = dynamic.iter().copied().collect();

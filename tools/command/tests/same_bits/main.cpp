@@ -3,6 +3,7 @@
 // here.
 #include <cstdio>
 #include <cstring>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,7 @@ std::string answers(const Mesh& mesh, const Step& step, Isa isa) {
   options.isa = isa;
   Detector detector(mesh, options);
   Hash hash;
-  const std::vector<Contact>& contacts = detector.contacts(step);
+  std::span<const Contact> contacts = detector.contacts(step);
   const std::size_t count = contacts.size();
   for (const Contact& c : contacts) add(hash, c);
   const EarliestContact first = detector.earliest(step);
@@ -52,8 +53,8 @@ std::string answers(const Mesh& mesh, const Step& step, Isa isa) {
   hash.add(first.toi_upper);
   if (first.contact) add(hash, *first.contact);
   const SafeStep safe = detector.safe_step(step, 0.2);
-  hash.add(safe.lower);
-  hash.add(safe.upper);
+  hash.add(safe.toi_lower);
+  hash.add(safe.toi_upper);
   char line[64];
   std::snprintf(line, sizeof line, "%zu contacts, hash %016llx", count, hash.value());
   return line;

@@ -44,7 +44,7 @@ audit::Objects objects_of(const MovingBodies& bodies) {
 RigidPath path_of(const MovingBodies& bodies) {
   std::vector<Point> rest, rest_end;
   std::vector<Index> body_of_vertex;
-  std::vector<Chain> chains;
+  std::vector<RigidChain> chains;
   for (std::size_t i = 0; i < bodies.count(); ++i) {
     const std::vector<Point>*start = &bodies.mesh_of(i).positions, *end = start;
     if (const auto* stays = std::get_if<Static>(&bodies.motion_of(i))) {

@@ -85,7 +85,7 @@ BodyMotion MovingBodies::motion_from(std::size_t body, std::vector<Point> start)
   if (poses.size() == 1) return Static{poses.front()};
   if (!poses.empty()) {
     const Pose &from = poses[step_ - 1], &to = poses[step_];
-    return Rigid{turns_linearly ? interpolated(from, to) : between(from, to)};
+    return Rigid{turns_linearly ? interpolated_chain(from, to) : chain_between(from, to)};
   }
   return Deforming{std::move(start), frames_.at(body).read(step_)};
 }

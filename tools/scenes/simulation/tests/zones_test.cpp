@@ -25,7 +25,7 @@ TEST(Zones, MoveTogetherWithTheirMomentum) {
   Moving m;
   const Points before = m.displacement();
   Zones zones(9);
-  zones.join({contact_of({0, 1, 2, 3}), contact_of({3, 4, 5, 6})});
+  zones.join(std::vector{contact_of({0, 1, 2, 3}), contact_of({3, 4, 5, 6})});
   ASSERT_TRUE(zones.move(m.particles, m.start, m.body, {kRest}));
   EXPECT_EQ(zones.size(), 7);
   Vec momentum = Vec::Zero(), momentum_before = Vec::Zero();
@@ -44,7 +44,7 @@ TEST(Zones, GoWithTheObstacleInThem) {
   m.body[3] = 1;
   m.particles.position.col(3) = kTurn * m.start.col(3);
   Zones zones(9);
-  zones.join({contact_of({0, 1, 2, 3})});
+  zones.join(std::vector{contact_of({0, 1, 2, 3})});
   ASSERT_TRUE(zones.move(m.particles, m.start, m.body, {kRest, kTurn}));
   for (Index v = 0; v < 4; ++v) EXPECT_LT((m.particles.position.col(v) - kTurn * m.start.col(v)).norm(), 1e-15);
 }
@@ -56,7 +56,7 @@ TEST(Zones, RefuseToChooseBetweenObstaclesThatMoveDifferently) {
   m.body[6] = 1;
   const Points before = m.particles.position;
   Zones zones(9);
-  zones.join({contact_of({0, 1, 2, 3}), contact_of({3, 4, 5, 6})});
+  zones.join(std::vector{contact_of({0, 1, 2, 3}), contact_of({3, 4, 5, 6})});
   EXPECT_FALSE(zones.move(m.particles, m.start, m.body, {kRest, kTurn}));
   EXPECT_EQ(m.particles.position, before);
   EXPECT_TRUE(zones.move(m.particles, m.start, m.body, {kTurn, kTurn}));

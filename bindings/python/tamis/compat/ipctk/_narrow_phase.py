@@ -110,7 +110,7 @@ class NarrowPhaseCCD:
         vertices = [i if i < len(start) else -1 for i in range(4)]
         distance, latest = number(min_distance, "min_distance"), number(tmax, "tmax")
         safe = safe_step(kind, vertices, start, end, self.kept_fraction, min_separation=distance, latest=latest)
-        return (False, float("inf")) if safe.pair is None else (True, safe.lower)
+        return (False, float("inf")) if safe.pair is None else (True, safe.toi_lower)
 
 
 class TightInclusionCCD(NarrowPhaseCCD):

@@ -56,7 +56,7 @@ def compute_collision_free_stepsize(
     _accept(broad_phase)
     kept = _kept_fraction(narrow_phase_ccd)
     start, end, distance = _step(vertices_t0, vertices_t1, min_distance)
-    return detector_of(mesh).safe_step(start, end, kept, min_separation=distance).lower
+    return detector_of(mesh).safe_step(start, end, kept, min_separation=distance).toi_lower
 
 
 class Candidates:

@@ -4,7 +4,7 @@ use glamx::DPose3;
 use parry3d_f64::query::contact;
 use parry3d_f64::shape::TriMesh;
 use rapier3d::math::Pose;
-use tamis::{Motion, Query, Shape, World};
+use tamis::{Motion, PathOptions, Shape, World};
 use tamis_rapier::Error;
 
 impl Throw {
@@ -15,7 +15,7 @@ impl Throw {
         let body = world.add(&shape_of(&self.flying())?, &Motion::at(tamis::Pose::default()))?;
         for ends in flight.poses.windows(2) {
             world.move_body(body, &Motion::between(&pose_of(&ends[0])?, &pose_of(&ends[1])?, [0.0; 3])?)?;
-            if !world.is_free(&Query::default())? {
+            if !world.is_free(&PathOptions::default())? {
                 return Ok(false);
             }
         }

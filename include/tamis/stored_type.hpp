@@ -6,8 +6,9 @@
 namespace tamis {
 
 /// The number type in which the caller keeps positions between steps.
-enum class Stored : std::uint8_t { float64, float32 };
+enum class StoredType : std::uint8_t { float64, float32 };
 
-std::string_view name_of(Stored);
+/// Returns "float64" or "float32".
+[[nodiscard]] std::string_view name_of(StoredType);
 
 }  // namespace tamis

@@ -1,7 +1,6 @@
 #include "worlds/body.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <type_traits>
 
 #include "search/topology/at.hpp"

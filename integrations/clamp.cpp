@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "integrations/carriers.hpp"
 #include "integrations/followers.hpp"
+#include "integrations/speeds.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::adapters {
@@ -16,33 +16,6 @@ namespace {
 /// In gaps: if two bodies would touch after going less than this together, they stay. So their distance remains far
 /// above 1e-15, by which the end of one step's path may differ from the start of the next.
 constexpr double kLeastTravel = 1e-3;
-/// Rounds over the places where bodies met: each may bring bodies nearer at another one.
-constexpr int kStopRounds = 10;
-/// A body that goes less than this part of its way keeps so much of its speed: if it kept all, gravity would add to it
-/// in each step, and where nothing else stops it it would hang there for ever. A slow body, which goes less than kSlow
-/// gaps in a step, must go less: it may be about to tip over.
-constexpr double kStands = 0.01, kStandsSlow = 1e-3, kKeptSpeed = 0.5, kSlow = 10;
-
-/// Takes speeds (the first part of the policy). Returns the velocities with which the next step begins.
-Velocities take_speeds(WantedStep& step, const Near& near, double gap) {
-  Velocities kept, ways;
-  for (const BodyId body : step.moving()) {
-    kept[body] = step.velocity(body);
-    ways[body] = step.way(body);
-  }
-  if (near.empty()) return kept;
-  Carriers carriers(near, step, step.carried_at() * gap);
-  const bool are_same = kept == ways;
-  carriers.take_speed(kept);
-  if (are_same)
-    ways = kept;
-  else
-    carriers.take_speed(ways);
-  carriers.part(ways);
-  for (const auto& [body, way] : ways)
-    if (!(way == step.way(body))) step.set_way(body, way);
-  return kept;
-}
 
 /// All go all their way.
 Fractions whole_ways(const WantedStep& step) {
@@ -76,8 +49,9 @@ class Clamp {
       hold_back(contacts, result.questions <= options_.rounds);
       is_free = contacts.empty();
     }
-    stop_hits();
-    for (const BodyId body : step_.moving()) result.ends.push_back(end_of(body));
+    stop_where_met(hits_, beginning_.near, step_, velocities_);
+    for (const BodyId body : step_.moving())
+      result.ends.push_back(end_of(body, step_, fractions_.at(body), velocities_.at(body), options_.gap));
     return result;
   }
 
@@ -167,27 +141,6 @@ class Clamp {
     const double way = travel * time;
     if (way < kLeastTravel * options_.gap || (way < options_.gap && starts_too_near(bodies))) return 0;
     return std::max(time - options_.gap / travel, time / 2);
-  }
-
-  /// Bodies that met may meet at another of their near places next.
-  void stop_hits() {
-    std::set<BodyPair> met;
-    for (const NearContact& hit : hits_) met.insert(hit.bodies);
-    for (const BodyPair& bodies : met) {
-      const std::vector<NearContact>& near = beginning_.near.at(bodies).contacts;
-      hits_.insert(hits_.end(), near.begin(), near.end());
-    }
-    for (int round = 0; round < kStopRounds; ++round)
-      for (const NearContact& hit : hits_) Carriers::stop(hit, step_, velocities_);
-  }
-
-  BodyEnd end_of(BodyId body) const {
-    BodyEnd end{fractions_.at(body), velocities_.at(body)};
-    const auto& [linear, angular] = end.velocity;
-    const double way = step_.seconds() * (length(linear) + step_.radius(body) * length(angular));
-    if (end.fraction < (way < kSlow * options_.gap ? kStandsSlow : kStands))
-      end.velocity = {times(kKeptSpeed, linear), times(kKeptSpeed, angular)};
-    return end;
   }
 
   World& world_;

@@ -8,8 +8,8 @@ int main() {
   const tamis::QueryOptions ignore{.at_start = tamis::AtStart::ignore};
   for (const double height : {0.3, 0.0}) {
     end[3][2] = height;
-    std::printf("may go %.3f of the step, ", detector.safe_step({x, end}, 0).lower);
-    std::printf("%.3f if what touches at the start is ignored\n", detector.safe_step({x, end}, 0, ignore).lower);
+    std::printf("may go %.3f of the step, ", detector.safe_step({x, end}, 0).toi_lower);
+    std::printf("%.3f if what touches at the start is ignored\n", detector.safe_step({x, end}, 0, ignore).toi_lower);
     x = end;
   }
 }

@@ -24,7 +24,7 @@ int main() {
     world.move(soft, tamis::Deforming{sheet, next});
     for (const tamis::BodyContact& c : world.contacts())
       std::printf("step %d: bodies %d and %d would touch at t = %.4f\n", step, c.bodies[0], c.bodies[1], c.toi_lower);
-    const double part = world.safe_step(0.1).lower;  // so far may all go: every pair keeps a tenth of its distance
+    const double part = world.safe_step(0.1).toi_lower;  // so far may all go: every pair keeps a tenth of its distance
     std::printf("step %d goes %.4f of its way\n", step, part);
     now = tamis::pose_at(way, part);
     for (std::size_t v = 0; v < sheet.size(); ++v) sheet[v][0] += part * 0.2;

@@ -15,7 +15,7 @@ double line_search(tamis::Detector& detector, Positions& x, const Positions& way
   };
   const Positions end = at(1);
   const double now = energy(x);
-  for (double t = detector.safe_step({x, end}, 0.1).lower; t > 1e-12; t /= 2)
+  for (double t = detector.safe_step({x, end}, 0.1).toi_lower; t > 1e-12; t /= 2)
     if (Positions y = at(t); energy(y) < now) return x = y, t;
   return 0;
 }

@@ -17,5 +17,5 @@ int main() {
                 c.toi_upper);
   }
   const auto safe = detector.safe_step({start, end}, 0.5);
-  std::printf("half of all distances is kept until t = %.6f\n", safe.lower);
+  std::printf("half of all distances is kept until t = %.6f\n", safe.toi_lower);
 }

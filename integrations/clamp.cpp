@@ -6,7 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "integrations/carriers.hpp"
+#include "integrations/followers.hpp"
+#include "integrations/speeds.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::adapters {
@@ -15,106 +16,12 @@ namespace {
 /// In gaps: if two bodies would touch after going less than this together, they stay. So their distance remains far
 /// above 1e-15, by which the end of one step's path may differ from the start of the next.
 constexpr double kLeastTravel = 1e-3;
-/// In gaps: a pair that is known to be this near stays, too, if it touches before it has gone a gap. Otherwise its
-/// distance would be halved in each step, until rounding to the engine's floats moves a body by more: by 2^-24 of its
-/// distance from the origin, which at 800 units is this part of a gap of 1e-3. Farther from the origin bodies stay more
-/// often; none passes through another.
-constexpr double kLeastDistance = 0.05;
-/// In radians: a body that turns by more than this comes to another place than its velocity says, and stands for
-/// nothing if it is held back there.
-constexpr double kSmallTurn = 0.3;
-/// Rounds over the places where bodies met: each may bring bodies nearer at another one.
-constexpr int kStopRounds = 10;
-/// A body that goes less than this part of its way keeps so much of its speed: if it kept all, gravity would add to it
-/// in each step, and where nothing else stops it it would hang there for ever. A slow body, which goes less than kSlow
-/// gaps in a step, must go less: it may be about to tip over.
-constexpr double kStands = 0.01, kStandsSlow = 1e-3, kKeptSpeed = 0.5, kSlow = 10;
-/// In gaps: bodies that were apart, and are farther apart than this by all pairs of features, are apart: the start of a
-/// step differs from the end of the last one by some 1e-15.
-constexpr double kToldApart = 1e-6;
-/// In steps: the precision that suffices for the time of a contact, and for the part of its way that a body may go.
-constexpr double kTolerance = 1e-4;
-/// Sweeps over all approaches; more sweeps would only save questions.
-constexpr int kMostSweeps = 32;
 
-bool collide_at(const Bodies& engine, const std::array<BodyId, 2>& bodies, const std::array<Index, 2>& vertices) {
-  return engine.collides(pair_of(bodies)) && engine.collides_at(bodies, vertices);
-}
-
-/// A place at which two bodies are near each other when a step begins.
-struct Approach {
-  BodyPair bodies;
-  double distance;                ///< > 0
-  std::array<double, 2> closing;  ///< by how much each body's whole way reduces the distance; 0 for a body that stays
-};
-
-/// How a body's whole way moves its points.
-class WholeWay {
- public:
-  WholeWay(const WantedStep& step, BodyId body)
-      : start_(step.pose(body, 0)),
-        end_(step.pose(body, 1)),
-        from_(rotation_matrix(start_.rotation)),
-        to_(rotation_matrix(end_.rotation)) {}
-
-  /// True if points go nearly straight.
-  bool is_nearly_straight() const {
-    double trace = 0;  // of the turn's matrix: 1 + 2 cos(angle)
-    for (std::size_t i = 0; i < 3; ++i) trace += dot(from_[i], to_[i]);
-    return trace > 1 + 2 * std::cos(kSmallTurn);
-  }
-  Point of(const Point& p) const {
-    const Point local = times_transposed(from_, minus(p, start_.position));
-    return minus(plus(times(to_, local), end_.position), p);
-  }
-
- private:
-  Pose start_, end_;
-  Matrix from_, to_;
-};
-
-/// Where bodies are near each other. With these a body that follows one that is held back is held back with it; without
-/// them a pile would take a question for each of its bodies. No proof rests on them.
-std::vector<Approach> approaches(const Near& near, const WantedStep& step) {
-  std::map<BodyId, WholeWay> ways;
-  for (const BodyId body : step.moving()) ways.emplace(body, WholeWay(step, body));
-  const auto turns = [&](BodyId body) {
-    const auto way = ways.find(body);
-    return way != ways.end() && !way->second.is_nearly_straight();
-  };
-  std::vector<Approach> all;
-  for (const auto& [bodies, found] : near)
-    for (const NearContact& contact : found.contacts) {
-      if (!(contact.distance() > 0) || turns(bodies[0]) || turns(bodies[1])) continue;
-      Approach& approach = all.emplace_back(Approach{bodies, contact.distance(), {0, 0}});
-      for (const std::size_t k : {0U, 1U})
-        if (const auto way = ways.find(bodies[k]); way != ways.end()) {
-          const double parting = dot(way->second.of(contact.points[k]), contact.normal);
-          approach.closing[k] = k == 0 ? -parting : parting;
-        }
-    }
-  return all;
-}
-
-/// Takes speeds (the first part of the policy). Returns the velocities with which the next step begins.
-Velocities take_speeds(WantedStep& step, const Near& near, double gap) {
-  Velocities kept, ways;
-  for (const BodyId body : step.moving()) {
-    kept[body] = step.velocity(body);
-    ways[body] = step.way(body);
-  }
-  if (near.empty()) return kept;
-  Carriers carriers(near, step, step.carried_at() * gap);
-  const bool are_same = kept == ways;
-  carriers.take_speed(kept);
-  if (are_same)
-    ways = kept;
-  else
-    carriers.take_speed(ways);
-  carriers.part(ways);
-  for (const auto& [body, way] : ways)
-    if (!(way == step.way(body))) step.set_way(body, way);
-  return kept;
+/// All go all their way.
+Fractions whole_ways(const WantedStep& step) {
+  Fractions fractions;
+  for (const BodyId body : step.moving()) fractions[body] = 1;
+  return fractions;
 }
 
 class Clamp {
@@ -124,18 +31,12 @@ class Clamp {
         step_(step),
         beginning_(beginning),
         options_(options),
-        velocities_(take_speeds(step, beginning.near, options.gap)) {
-    for (const BodyId body : step.moving()) fractions_[body] = 1;
-    const auto fraction = [&](BodyId body) {
-      const auto known = fractions_.find(body);
-      return known == fractions_.end() ? nullptr : &known->second;
-    };
-    for (const Approach& approach : approaches(beginning.near, step))
-      approaches_.push_back({approach, {fraction(approach.bodies[0]), fraction(approach.bodies[1])}});
-  }
+        velocities_(take_speeds(step, beginning.near, options.gap)),
+        fractions_(whole_ways(step)),
+        followers_(beginning.near, step, options.gap, fractions_) {}
 
   ClampedStep run() {
-    hold_back_followers();
+    followers_.hold_back();
     for (const BodyId body : step_.moving()) set_off(body);
     ClampedStep result;
     for (bool is_free = false; !is_free;) {
@@ -148,47 +49,13 @@ class Clamp {
       hold_back(contacts, result.questions <= options_.rounds);
       is_free = contacts.empty();
     }
-    stop_hits();
-    for (const BodyId body : step_.moving()) result.ends.push_back(end_of(body));
+    stop_where_met(hits_, beginning_.near, step_, velocities_);
+    for (const BodyId body : step_.moving())
+      result.ends.push_back(end_of(body, step_, fractions_.at(body), velocities_.at(body), options_.gap));
     return result;
   }
 
  private:
-  struct KnownApproach : Approach {
-    std::array<double*, 2> fractions;  ///< in `fractions_`; null for a body that stays
-  };
-
-  /// Shortens ways so that bodies keep apart at the approaches, to first order. It sweeps forwards and backwards
-  /// through the approaches, as followers have followers. Returns the bodies whose fractions change.
-  std::set<BodyId> hold_back_followers() {
-    std::set<BodyId> slower;
-    bool changes = true;
-    for (int sweep = 0; changes && sweep < kMostSweeps; ++sweep) {
-      changes = false;
-      for (const KnownApproach& approach : approaches_) changes |= hold_back_at(approach, slower);
-      std::ranges::reverse(approaches_);
-    }
-    return slower;
-  }
-
-  bool hold_back_at(const KnownApproach& approach, std::set<BodyId>& slower) {
-    double closing = 0, parting = 0;
-    for (const std::size_t i : {0U, 1U}) {
-      if (!approach.fractions[i]) continue;
-      const double way = *approach.fractions[i] * approach.closing[i];
-      (way > 0 ? closing : parting) += way;
-    }
-    const double kept = std::clamp(approach.distance / 2, kLeastDistance * options_.gap, options_.gap);
-    const double allowed = std::max(0.0, approach.distance - kept) - parting;
-    if (closing <= allowed * (1 + kTolerance)) return false;
-    for (const std::size_t i : {0U, 1U}) {
-      if (!approach.fractions[i] || approach.closing[i] <= 0) continue;
-      *approach.fractions[i] *= allowed / closing;
-      slower.insert(approach.bodies[i]);
-    }
-    return true;
-  }
-
   void set_off(BodyId body) {
     const Pose start = step_.pose(body, 0), end = step_.pose(body, fractions_.at(body));
     const RigidChain way = chain_between(start, end);
@@ -256,7 +123,7 @@ class Clamp {
         }
     }
     for (const auto& [body, part] : parts) fractions_.at(body) *= part;
-    std::set<BodyId> slower = hold_back_followers();
+    std::set<BodyId> slower = followers_.hold_back();
     for (const auto& [body, part] : parts) slower.insert(body);
     for (const BodyId body : slower) set_off(body);
   }
@@ -276,64 +143,18 @@ class Clamp {
     return std::max(time - options_.gap / travel, time / 2);
   }
 
-  /// Bodies that met may meet at another of their near places next.
-  void stop_hits() {
-    std::set<BodyPair> met;
-    for (const NearContact& hit : hits_) met.insert(hit.bodies);
-    for (const BodyPair& bodies : met) {
-      const std::vector<NearContact>& near = beginning_.near.at(bodies).contacts;
-      hits_.insert(hits_.end(), near.begin(), near.end());
-    }
-    for (int round = 0; round < kStopRounds; ++round)
-      for (const NearContact& hit : hits_) Carriers::stop(hit, step_, velocities_);
-  }
-
-  BodyEnd end_of(BodyId body) const {
-    BodyEnd end{fractions_.at(body), velocities_.at(body)};
-    const auto& [linear, angular] = end.velocity;
-    const double way = step_.seconds() * (length(linear) + step_.radius(body) * length(angular));
-    if (end.fraction < (way < kSlow * options_.gap ? kStandsSlow : kStands))
-      end.velocity = {times(kKeptSpeed, linear), times(kKeptSpeed, angular)};
-    return end;
-  }
-
   World& world_;
   WantedStep& step_;
   const Beginning& beginning_;
   const ClampOptions& options_;
   Velocities velocities_;  ///< with which the next step begins
-  std::map<BodyId, double> fractions_;
-  std::vector<KnownApproach> approaches_;
+  Fractions fractions_;
+  Followers followers_;
   std::map<BodyId, double> travels_;  ///< for each body of moving(), a bound of how far any of its points goes
   std::vector<NearContact> hits_;     ///< where bodies met that the engine's solver could see
 };
 
 }  // namespace
-
-BodyMotion resting(const Pose& pose) { return Rigid{RigidChain{{pose, pose}}}; }
-
-std::set<BodyPair> overlapping(World& world) {
-  std::set<BodyPair> pairs;
-  for (const BodyIntersection& intersection : world.intersections()) pairs.insert(pair_of(intersection.bodies));
-  return pairs;
-}
-
-std::set<BodyPair> overlapping(World& world, const Bodies& bodies) {
-  std::set<BodyPair> pairs;
-  for (const BodyIntersection& place : world.intersections())
-    if (collide_at(bodies, place.bodies, {place.edge[0], place.face[0]})) pairs.insert(pair_of(place.bodies));
-  return pairs;
-}
-
-Beginning beginning(World& world, const Bodies& bodies, const ClampOptions& options, bool are_apart) {
-  validate(options);
-  Beginning now{{}, near_bodies(world, bodies, 2 * options.gap)};
-  const auto is_told = [&](const auto& pair) { return pair.second.distance > kToldApart * options.gap; };
-  if (are_apart && std::ranges::all_of(now.near, is_told)) return now;
-  now.overlapping = overlapping(world, bodies);
-  for (const BodyPair& bodies_of_one : now.overlapping) now.near.erase(bodies_of_one);
-  return now;
-}
 
 void validate(const ClampOptions& options) {
   if (!(options.gap > 0) || std::isinf(options.gap))

@@ -1,12 +1,8 @@
 #include "worlds/body.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <type_traits>
 
-#include "numbers/axes.hpp"
-#include "numbers/error_bounds.hpp"
 #include "search/topology/at.hpp"
 #include "search/topology/points.hpp"
 #include "worlds/body_bounds.hpp"
@@ -14,48 +10,11 @@
 namespace tamis {
 namespace {
 
-/// |a - b|, rounded up; infinite if it is not a number.
-double distance_above(const Point& a, const Point& b) {
-  const double square = dot(difference(a, b), difference(a, b));
-  if (std::isnan(square)) return std::numeric_limits<double>::infinity();
-  return std::sqrt(square) * kRoundedUp + 0x1p-500;  // squares may underflow
-}
-
-/// An upper bound of the distance between a and b over the box: the difference of two affine maps is largest at a
-/// corner.
-double farthest_between(const RoundedTransform& a, const RoundedTransform& b, const Box& box) {
-  double farthest = 0;
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    Point x{};
-    for (std::size_t k = 0; k < 3; ++k) x[k] = corner >> k & 1 ? box.high[k] : box.low[k];
-    farthest = std::max(farthest, distance_above(a.of(x), b.of(x)));
-  }
-  const double size = box.largest_sum();
-  return (farthest + 2 * (a.error_of(size, 0) + b.error_of(size, 0)) * kRootOfThree) * kRoundedUp;
-}
-
 bool stays(const RigidLink& link) {
   return link.start.position == link.end.position && link.start.rotation == link.end.rotation;
 }
 
 }  // namespace
-
-double Body::max_deviation_from(const BodyMotion& other) const {
-  if (motion_kind_ == MotionKind::turning || motion_.index() != other.index())
-    return std::numeric_limits<double>::infinity();
-  const auto* soft = std::get_if<Deforming>(&other);
-  if (!soft) {
-    const Box& box = shape_->boxes.back();
-    const RigidChain chain = chain_of(other);
-    return std::max(farthest_between(transform_at(chain, 0), at_start_, box),
-                    farthest_between(transform_at(chain, 1), at_end_, box));
-  }
-  double farthest = 0;
-  for (const Index v : shape_->mesh.points())
-    farthest = std::max({farthest, distance_above(soft->start[at(v)], deforming()->start[at(v)]),
-                         distance_above(soft->end[at(v)], deforming()->end[at(v)])});
-  return farthest;
-}
 
 Body::Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion)
     : id_(id), shape_(std::move(shape)), motion_(std::move(motion)) {

@@ -72,9 +72,6 @@ class Body {
   const Box& hull() const { return hull_; }
   /// Bounds for all its vertices.
   const Curvature& curvature() const { return curvature_; }
-  /// An upper bound, at all times of the step, of the distance of any vertex from where it would be by `other`, a
-  /// motion of this body that does not turn. Infinite for a motion of another kind.
-  double max_deviation_from(const BodyMotion& other) const;
   double radius() const { return radius_; }
   void set_radius(double radius);
   /// The detector of a deforming body's contacts with itself. `options`: those of the world.

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "pair/motion/time_clip.hpp"
 #include "search/bounds/box.hpp"
 #include "worlds/body.hpp"
 
@@ -26,21 +27,18 @@ struct MovingBounds {
 /// May the bounds come within `separation` at some time? False only if proven: at every time there is a gap along some
 /// axis. NaN proves nothing.
 inline bool may_meet(const MovingBounds& a, const MovingBounds& b, double separation) {
-  constexpr double kRoundingOfTimes = 0x1p-40;
-  double from = 0, to = 1;
-  const auto close = [&](double gap0, double gap1) {
-    if (!(gap0 > 0 || gap1 > 0)) return true;
-    if (gap0 > 0 && gap1 > 0) return false;
-    // If a difference overflows, these times are 0 and 1, which prove nothing.
-    if (gap0 > 0) from = std::max(from, gap0 / (gap0 - gap1));
-    if (gap1 > 0) to = std::min(to, 1 - gap1 / (gap1 - gap0));
-    return true;
+  TimeClip<double> clip({0, 1});
+  constexpr double kPart = 0.125;  // of each gap, so that no difference overflows
+  const auto gap = [&](double low, double high) { return kPart * low - kPart * high - kPart * separation; };
+  const auto are_apart = [&](const MovingBounds& below, const MovingBounds& above, std::size_t k) {
+    const double g0 = gap(above.start.low[k], below.start.high[k]), g1 = gap(above.end.low[k], below.end.high[k]);
+    if ((g0 > 0) != (g1 > 0)) clip.cut_positive(g0, g1);
+    return g0 > 0 && g1 > 0;
   };
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (!close(a.start.low[k] - b.start.high[k] - separation, a.end.low[k] - b.end.high[k] - separation)) return false;
-    if (!close(b.start.low[k] - a.start.high[k] - separation, b.end.low[k] - a.end.high[k] - separation)) return false;
-  }
-  return !(from > to + kRoundingOfTimes);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (are_apart(a, b, k) || are_apart(b, a, k)) return false;
+  const auto [t_in, t_out] = clip.rest();
+  return !(t_in > t_out);
 }
 
 /// The bounds of one leaf's items.

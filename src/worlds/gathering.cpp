@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "curves/motions/curvature.hpp"
 #include "curves/paths/mesh_pieces.hpp"
-#include "numbers/error_bounds.hpp"
-#include "numbers/held_bytes.hpp"
 #include "pair/motion/time_clip.hpp"
 #include "search/query/cancellation.hpp"
 #include "search/topology/at.hpp"
@@ -16,53 +13,12 @@
 namespace tamis {
 namespace {
 
-/// A mesh that served fewer questions is gathered the next time with twice the margin, unless that makes more than
-/// kMostItemsPerNeeded times the needed items (docs/history/performance.md, "What is gathered lasts").
-constexpr int kQueriesWorthGathering = 16;
-constexpr std::size_t kMostItemsPerNeeded = 4;
-constexpr double kLeastMarginInEdges = 0.5;
-constexpr double kMostMarginInEdges = 64;
 /// A mesh is gathered anew once fewer than 1 / kShrunk of the items needed when it was made may still touch; every
 /// kSearchesPerCount-th search counts them.
 constexpr std::size_t kShrunk = 4;
 constexpr int kSearchesPerCount = 16;
 
-/// Those of the bodies in these pairs; none if one of them turns.
-std::map<BodyId, BodyMotion> straight_motions(const BodyList& bodies, const std::vector<BodyPair>& pairs) {
-  std::map<BodyId, BodyMotion> motions;
-  for (const BodyPair& pair : pairs)
-    for (const BodyId id : pair) {
-      const Body& body = *bodies[at(id)];
-      if (body.motion_kind() == MotionKind::turning) return {};
-      motions.try_emplace(id, body.motion());
-    }
-  return motions;
-}
-
 }  // namespace
-
-bool Gathering::serves(const BodyList& bodies, const std::vector<BodyPair>& near, const NearDistance& now) const {
-  if (!gathered || now.displacement_factor > 0) return false;
-  if (!gathered->keeps_motion_kinds(bodies)) return false;
-  std::map<BodyId, double> deviations;
-  const auto deviation_of = [&](BodyId id) {
-    const auto [place, is_new] = deviations.try_emplace(id, std::numeric_limits<double>::infinity());
-    const auto motion = motions.find(id);
-    if (is_new && motion != motions.end()) place->second = bodies[at(id)]->max_deviation_from(motion->second);
-    return place->second;
-  };
-  // Finite, so less than an unknown deviation.
-  const double reach = std::min(distance.separation + distance.margin, std::numeric_limits<double>::max());
-  return std::ranges::all_of(near, [&](const BodyPair& pair) {
-    return (deviation_of(pair[0]) + deviation_of(pair[1]) + now.separation) * kRoundedUp <= reach;
-  });
-}
-
-std::uint64_t Gathering::memory_bytes() const {
-  std::uint64_t bytes = held_bytes(gathered);
-  for (const auto& [id, motion] : motions) bytes += sizeof(motion) + bytes_held_by(motion);
-  return bytes;
-}
 
 std::vector<BodyPair> World::State::wanted_pairs(const Gathering& gathering, std::vector<BodyPair> pairs) const {
   std::erase_if(pairs,
@@ -73,10 +29,6 @@ std::vector<BodyPair> World::State::wanted_pairs(const Gathering& gathering, std
 bool World::State::gather(Gathering& gathering, const BodyList& seen, const NearDistance& distance,
                           const std::vector<BodyPair>& pairs, std::span<const double> times) {
   if (pairs.empty()) return false;
-  if (gathering.serves(seen, pairs, distance)) {
-    ++gathering.served;
-    return true;
-  }
   const bool is_usable = gathering.gathered && gathering.gathered->keeps_motion_kinds(seen);
   const bool counts = !is_usable || gathering.serves_once() || ++gathering.searched % kSearchesPerCount == 0;
   // All needed items if `counts`; else the gathered items, which are not tested again, and new ones.
@@ -102,29 +54,18 @@ void World::State::gather_anew(Gathering& gathering, const BodyList& seen, const
   double edge = 0;  // of the finest body: parts of a coarse edge would gather all of a fine body
   for (const auto& [id, unused] : needed.of_body)
     if (const double own = seen[at(id)]->shape().edge; edge == 0 || (0 < own && own < edge)) edge = own;
-  double in_edges = gathering.margin_in_edges;
-  if (!gathering.motions.empty() && gathering.served < kQueriesWorthGathering)
-    in_edges = std::min(2 * in_edges, kMostMarginInEdges);
   const int in_vain = gathering.gathered && gathering.served == 0 ? gathering.in_vain + 1 : 0;
   NearItems items = needed;
-  std::vector<BodyPair> pairs = near;
-  while (!gathering.serves_once()) {
-    distance.margin = std::min(in_edges * edge, std::numeric_limits<double>::max());  // less than unknown deviations
-    pairs = &seen == &bodies ? wanted_pairs(gathering, near_bodies(distance)) : near;
-    items = needed;
-    add_near_items(seen, pairs, distance, times, options, items);
-    if (in_edges <= kLeastMarginInEdges || items.count() <= kMostItemsPerNeeded * needed.count()) break;
-    in_edges = std::max(in_edges / 2, kLeastMarginInEdges);
+  if (!gathering.serves_once()) {
+    distance.margin = gathering.margin_in_edges * edge;
+    const bool is_of_world = &seen == &bodies;
+    add_near_items(seen, is_of_world ? wanted_pairs(gathering, near_bodies(distance)) : near, distance, times, options,
+                   items);
   }
   stop_if_cancelled(options);
-  std::map<BodyId, BodyMotion> motions;
-  if (distance.displacement_factor == 0) motions = straight_motions(seen, pairs);
   gathering.gathered = std::make_unique<Gathered>(seen, std::move(items), gathering.least, excluded_pairs, options);
   stop_if_cancelled(options);
   // Nothing throws from here on; an exception before leaves the gathering as it was.
-  gathering.motions = std::move(motions);
-  gathering.distance = distance;
-  gathering.margin_in_edges = in_edges;
   gathering.needed_when_gathered = needed.count();
   gathering.served = 0;
   gathering.in_vain = in_vain;

@@ -49,16 +49,11 @@ class PairWalk {
   PairWalk(const Side& a, const Side& b, double separation, const Options& options)
       : a_(a), b_(b), separation_(separation), options_(options) {}
 
-  /// Returns true if any items may meet, or if `found`: some were found to before.
+  /// Adds the items that may meet. Returns true if there are any, or if `found`: some were found before.
   bool run(bool found) {
     found_ = found;
-    start();
-    return found_;
-  }
-  /// Returns true if any items may meet; adds none.
-  bool finds_any() {
-    adds_ = false;
-    start();
+    const Node a = root_of(a_), b = root_of(b_);
+    if (meet(a.bounds, b.bounds)) visit(a, b);
     return found_;
   }
 
@@ -68,10 +63,6 @@ class PairWalk {
     const MovingBounds& bounds;
   };
 
-  void start() {
-    const Node a = root_of(a_), b = root_of(b_);
-    if (meet(a.bounds, b.bounds)) visit(a, b);
-  }
   static const BoxTree& tree_of(const Side& side) { return side.boxes.shape().tree; }
   static Node node_of(const Side& side, Index number) { return {number, side.boxes.bounds(number)}; }
   static Node root_of(const Side& side) { return node_of(side, tree_of(side).root()); }
@@ -79,7 +70,7 @@ class PairWalk {
 
   /// Descends into the larger node. REQUIRES: the nodes meet.
   void visit(const Node& a, const Node& b) {
-    if (found_ && (!adds_ || (a_.whole.has(a.number) && b_.whole.has(b.number)))) return;
+    if (found_ && a_.whole.has(a.number) && b_.whole.has(b.number)) return;
     if (++visited_ % kVisitsPerCheck == 0) stop_if_cancelled(options_);
     const bool is_a_leaf = tree_of(a_).is_leaf(a.number), is_b_leaf = tree_of(b_).is_leaf(b.number);
     if (is_a_leaf && is_b_leaf) {
@@ -115,7 +106,6 @@ class PairWalk {
         if (found_ && a_.near.has(items_a[i]) && b_.near.has(items_b[j])) continue;
         if (!meet(a.of_item[i], b.of_item[j])) continue;
         found_ = true;
-        if (!adds_) return;
         a_.near.add(items_a[i]);
         b_.near.add(items_b[j]);
       }
@@ -127,7 +117,7 @@ class PairWalk {
   const Side a_, b_;
   const double separation_;
   const Options& options_;
-  bool found_ = false, adds_ = true;
+  bool found_ = false;
   int visited_ = 0;
 };
 
@@ -157,41 +147,26 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs, 
   std::map<BodyId, BoundsOnPiece> of_still, of_moving;
   std::vector<char> is_near;
   for (const BodyPair& pair : pairs) is_near.push_back(static_cast<char>(std::ranges::binary_search(near.pairs, pair)));
-  /// Calls f(i, walk) for each of the pairs that `wanted` holds, on the piece between the two times.
-  const auto for_each_pair = [&](double from, double to, const std::vector<char>& wanted, const auto& f) {
+  // On so many pieces together curves deviate by a fourth of an edge at most, which gathers few items more.
+  constexpr std::size_t kPiecesTogether = 4;
+  for (std::size_t first = 0, last = 0; first + 1 < times.size(); first = last) {
+    last = std::min(first + kPiecesTogether, times.size() - 1);
     std::map<BodyId, WholeNodes> whole;
     const auto side = [&](BodyId id) {
       auto& bounds = body(id).motion_kind() == MotionKind::still ? of_still : of_moving;
-      BoundsOnPiece& boxes = bounds.try_emplace(id, body(id), from, to).first->second;
+      BoundsOnPiece& boxes = bounds.try_emplace(id, body(id), times[first], times[last]).first->second;
       IndexSet& items = items_of(id);
       return PairWalk::Side{boxes, items, whole.try_emplace(id, body(id).shape().tree, items).first->second};
     };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (!wanted[i]) continue;
       const auto [a, b] = pairs[i];
       // Pairs of bodies before `a` are done: their memory, which is in the caches, serves the pairs that follow.
       of_moving.erase(of_moving.begin(), of_moving.lower_bound(a));
       stop_if_cancelled(options);
-      f(i, PairWalk(side(a), side(b), distance.between(body(a), body(b)), options));
+      PairWalk walk(side(a), side(b), distance.between(body(a), body(b)), options);
+      if (walk.run(is_near[i])) is_near[i] = true;
     }
     of_moving.clear();
-  };
-  // On 4 pieces together curves deviate by a fourth of an edge at most, which gathers few items more. On 16 together
-  // they deviate by some edges: most pairs of bodies are proven apart on all at once.
-  constexpr std::size_t kPiecesTogether = 4, kPiecesAtOnce = 16;
-  const auto end_of = [&](std::size_t first, std::size_t count) { return std::min(first + count, times.size() - 1); };
-  for (std::size_t first = 0, last = 0; first + 1 < times.size(); first = last) {
-    last = end_of(first, kPiecesAtOnce);
-    std::vector<char> wanted(pairs.size(), true);
-    if (last - first > kPiecesTogether)
-      for_each_pair(times[first], times[last], wanted,
-                    [&](std::size_t i, PairWalk walk) { wanted[i] = static_cast<char>(walk.finds_any()); });
-    for (std::size_t piece = first, next = first; piece < last; piece = next) {
-      next = std::min(end_of(piece, kPiecesTogether), last);
-      for_each_pair(times[piece], times[next], wanted, [&](std::size_t i, PairWalk walk) {
-        if (walk.run(is_near[i])) is_near[i] = true;
-      });
-    }
   }
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (is_near[i]) near.pairs.push_back(pairs[i]);

@@ -99,14 +99,7 @@ TEST(FirstContacts, AreTheFirstOfAllWithAWideTolerance) {
 }
 
 TEST(FirstContacts, StepAfterStep) {
-  TestWorld world = random_world(7, 1.5, Motions::any);
-  Random random(8);
-  for (int step = 0; step < 12; ++step) {
-    SCOPED_TRACE(step);
-    expect_first_of_all(world);
-    const BodyId body = random.below(static_cast<int>(world.bodies.size()));
-    world.move(body, random_motion(random, world.bodies[place(body)].shape, 1.5, Motions::any));
-  }
+  for_each_step([](TestWorld& world) { expect_first_of_all(world); });
 }
 
 /// A plate over which others come down, one after another: what touches first must not end the search for the rest.

@@ -12,14 +12,7 @@ namespace {
 
 /// What is kept from one question to the next changes nothing.
 TEST(World, AgreesStepAfterStep) {
-  TestWorld world = random_world(7, 1.5, Motions::any);
-  Random random(8);
-  for (int step = 0; step < 12; ++step) {
-    SCOPED_TRACE(step);
-    expect_same_contacts(world);
-    const BodyId body = random.below(static_cast<int>(world.bodies.size()));
-    world.move(body, random_motion(random, world.bodies[place(body)].shape, 1.5, Motions::any));
-  }
+  for_each_step([](TestWorld& world) { expect_same_contacts(world); });
 }
 
 /// A sheet in waves that slides over still ground, askew: sides that cross in parallel have times that are less sharp.

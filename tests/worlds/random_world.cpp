@@ -203,4 +203,16 @@ void expect_same_bits(const EarliestBodyContact& a, const EarliestBodyContact& b
   EXPECT_EQ(a.contact->certainty, b.contact->certainty);
 }
 
+void for_each_step(const std::function<void(TestWorld&)>& expect) {
+  constexpr double kSize = 1.5;
+  TestWorld world = random_world(7, kSize, Motions::any);
+  Random random(8);
+  for (int step = 0; step < 12; ++step) {
+    SCOPED_TRACE(step);
+    expect(world);
+    const BodyId body = random.below(static_cast<int>(world.bodies.size()));
+    world.move(body, random_motion(random, world.bodies[place(body)].shape, kSize, Motions::any));
+  }
+}
+
 }  // namespace tamis::test

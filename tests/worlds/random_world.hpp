@@ -1,5 +1,6 @@
 // Small worlds, and the same as one mesh that moves on one path: what a detector says of that a world must say, too.
 #pragma once
+#include <functional>
 #include <random>
 #include <set>
 
@@ -112,5 +113,8 @@ struct Extremes {
 TestWorld random_world(std::uint64_t seed, double size, Motions motions, const Options& options = one_thread(),
                        const Extremes& extremes = {});
 BodyMotion random_motion(Random& random, const Shape& shape, double size, Motions motions);
+
+/// Calls expect(world) in each of twelve steps of a random world. Between two steps one body gets another motion.
+void for_each_step(const std::function<void(TestWorld&)>& expect);
 
 }  // namespace tamis::test

@@ -84,10 +84,8 @@ class Questions:
 
         Raises
         ------
-        InvalidOptions
-            An option outside its range.
-        InvalidStep
-            With ``at_start="fail"``, if a pair touches at t=0.
+        InvalidOptions, InvalidStep
+            As `contacts`.
         """
         return BodyContacts(self._world.first_contacts(path_options(min_separation, at_start, tolerance)))
 

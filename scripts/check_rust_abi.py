@@ -94,7 +94,7 @@ def number_after(words: str, place: str) -> float:
 def main() -> int:
     wrong = 0
     for header, there, source, here in NUMBERS:
-        theirs, ours = number_after(there, header), number_after(here, f"integrations/rapier/{source}")
+        theirs, ours = number_after(there, header), number_after(here, source)
         if theirs != ours:
             print(f"{header} has {there}{theirs}\n{source} has {here}{ours}")
             wrong += 1

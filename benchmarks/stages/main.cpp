@@ -33,11 +33,11 @@ void add_trees(Workload& work) {
   });
   add(work, "order_and_build", [&work](State& state) {
     for (auto _ : state)
-      for (BlockTree* tree : work.trees()) tree->build(work.motion(), {}, work.kernels().trees);
+      for (BlockTree* tree : work.trees()) tree->build(work.motion(), {}, work.kernels().bound_leaf);
   });
   add(work, "refit", [&work](State& state) {
     for (auto _ : state)
-      for (BlockTree* tree : work.trees()) tree->refit(work.motion(), work.kernels().trees);
+      for (BlockTree* tree : work.trees()) tree->refit(work.motion(), work.kernels().bound_leaf);
   });
 }
 

@@ -37,7 +37,7 @@ Workload::Workload(std::string name, Mesh mesh, std::vector<Point> start, std::v
   points_.set_features(mesh_.points());
   edges_.set_features(mesh_.edges());
   faces_.set_features(mesh_.faces());
-  for (BlockTree* tree : trees()) tree->build(motion_, {}, kernels_.trees);
+  for (BlockTree* tree : trees()) tree->build(motion_, {}, kernels_.bound_leaf);
   vf_ = inputs_of(PairKind::vertex_face);
   ee_ = inputs_of(PairKind::edge_edge);
 }

@@ -5,7 +5,6 @@
 #include "api/enum_names.hpp"
 #include "curves/motions/rigid_transform.hpp"
 #include "numbers/finite.hpp"
-#include "search/kernels/kernels.hpp"
 #include "search/topology/at.hpp"
 #include "search/topology/mean_edge.hpp"
 #include "tamis/error.hpp"
@@ -26,7 +25,7 @@ BodyShape::BodyShape(Mesh m, std::vector<Point> at_rest, Isa isa)
   edge = mean_edge(mesh, points);
   std::vector<Point> centers(at(item_count()));
   for (Index item = 0; item < item_count(); ++item) centers[at(item)] = box_at_rest(item).middle();
-  tree = BoxTree(centers, kernels(isa).trees.split);
+  tree = BoxTree(centers);
   boxes = tree.boxes([this](Index item) { return box_at_rest(item); });
 }
 

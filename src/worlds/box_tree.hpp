@@ -18,7 +18,7 @@ class BoxTree {
  public:
   BoxTree() = default;  ///< to be assigned to
   /// One center an item.
-  BoxTree(std::span<const Point> centers, Split split);
+  explicit BoxTree(std::span<const Point> centers);
 
   Index leaf_count() const { return static_cast<Index>((items_.size() + kBlock - 1) / kBlock); }
   Index node_count() const { return leaf_count() + static_cast<Index>(first_child_.size()) - 1; }

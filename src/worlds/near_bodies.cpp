@@ -12,7 +12,7 @@ double NearDistance::share_of(const Body& body) const {
   return body.radius() + (counts ? displacement_factor * body.hull().extent() : 0);
 }
 
-BodyTree::BodyTree(const BodyList& bodies, bool are_still, const NearDistance& distance, Split split) {
+BodyTree::BodyTree(const BodyList& bodies, bool are_still, const NearDistance& distance) {
   std::vector<Point> centers;
   centers.reserve(bodies.size());
   bodies_.reserve(bodies.size());
@@ -25,14 +25,14 @@ BodyTree::BodyTree(const BodyList& bodies, bool are_still, const NearDistance& d
     hull.widen(distance.share_of(*body) * kRoundedUp);
     centers.push_back(hull.middle());
   }
-  tree_ = BoxTree(centers, split);
+  tree_ = BoxTree(centers);
   boxes_ = tree_.boxes([this](Index i) -> const Box& { return hulls_[at(i)]; });
 }
 
 std::vector<BodyPair> World::State::near_bodies(const NearDistance& distance) {
   stop_if_cancelled(options);
-  if (!still_) still_.emplace(bodies, true, distance, split_);
-  const BodyTree moving(bodies, false, distance, split_);
+  if (!still_) still_.emplace(bodies, true, distance);
+  const BodyTree moving(bodies, false, distance);
   std::vector<BodyPair> pairs;
   const auto add_pairs = [&](const BodyTree& tree, const BodyTree& others) {
     for (std::size_t i = 0; i < tree.bodies().size(); ++i) {

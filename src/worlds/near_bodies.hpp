@@ -35,7 +35,7 @@ struct NearDistance {
 class BodyTree {
  public:
   /// Hulls are widened by each body's share of the distance.
-  BodyTree(const BodyList& bodies, bool are_still, const NearDistance& distance, Split split);
+  BodyTree(const BodyList& bodies, bool are_still, const NearDistance& distance);
 
   /// Calls f(body) for all bodies whose hulls may meet the box.
   template <class F>

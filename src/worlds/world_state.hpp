@@ -7,7 +7,6 @@
 
 #include "numbers/busy_guard.hpp"
 #include "numbers/floating_point_state.hpp"
-#include "search/kernels/kernels.hpp"
 #include "search/query/stopwatch.hpp"
 #include "worlds/gathering.hpp"
 
@@ -97,7 +96,6 @@ struct World::State {
                                                  const std::array<BodyId, 2>& of);
   std::uint64_t memory_bytes() const;
 
-  const Split split_ = kernels(options.isa).trees.split;
   std::optional<BodyTree> still_;  ///< of the bodies that stay, once asked for
   Gathering straight_{MotionKind::straight, MotionKind::straight, 1};
   Gathering turning_{MotionKind::turning, MotionKind::turning, 0.5};

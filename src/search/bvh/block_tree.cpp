@@ -43,7 +43,7 @@ void BlockTree::set_groups(std::span<const Index> group_of_vertex, std::span<con
     no_self_contact_[group] = !may_touch[group * count + group];
 }
 
-void BlockTree::build(const PackedMotion& motion, const OrderAxes& by, const TreeKernels& kernels, const Pause& pause) {
+void BlockTree::build(const PackedMotion& motion, const OrderAxes& by, BoundLeaf bound_leaf, const Pause& pause) {
   is_built_ = false;
   levels_.clear();
   residuals_.clear();
@@ -52,10 +52,10 @@ void BlockTree::build(const PackedMotion& motion, const OrderAxes& by, const Tre
     if (blocks <= 1 && levels_.size() > 1) break;
   }
   corner_blocks_ = RawArray<CornerBlock>(levels_[0].size());
-  choose_order(motion, by, kernels.split, pause);
+  by.count() == 3 ? choose_order<3>(motion, by, pause) : choose_order<6>(motion, by, pause);
   if (groups_.may_touch) group_blocks();
   is_built_ = true;
-  refit(motion, kernels);
+  refit(motion, bound_leaf);
 }
 
 void BlockTree::group_blocks() {
@@ -76,20 +76,21 @@ void BlockTree::group_blocks() {
   }
 }
 
-GroupOrder BlockTree::order_groups(const PackedMotion& motion, Split split) const {
+GroupOrder BlockTree::order_groups(const PackedMotion& motion) const {
   std::vector<GroupedFeature> features(static_cast<std::size_t>(feature_count()));
   for (std::size_t i = 0; i < features.size(); ++i) {
     const auto vertex = static_cast<std::size_t>(vertex_of(static_cast<Index>(i), 0));
     features[i] = {group_of_vertex_[vertex], motion.box_vertices[vertex].at};
   }
-  return tamis::order_groups(features, no_self_contact_, split);
+  return tamis::order_groups(features, no_self_contact_);
 }
 
-void BlockTree::choose_order(const PackedMotion& motion, const OrderAxes& by, Split split, const Pause& pause) {
+template <int axes>
+void BlockTree::choose_order(const PackedMotion& motion, const OrderAxes& by, const Pause& pause) {
   const auto n = static_cast<std::size_t>(feature_count()), corners = static_cast<std::size_t>(corners_);
-  CenterStore store(n, by.count());
-  const Centers centers = store.view();
-  const GroupOrder groups = separates_groups() ? order_groups(motion, split) : GroupOrder();
+  RawArray<Center<axes>> store(n);
+  const std::span centers(store.data(), n);
+  const GroupOrder groups = separates_groups() ? order_groups(motion) : GroupOrder();
   parallel_blocks(blocks_for(n), [&](std::size_t block) {
     for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) {
       const Index feature = groups.features.empty() ? static_cast<Index>(i) : groups.features[i];
@@ -98,35 +99,33 @@ void BlockTree::choose_order(const PackedMotion& motion, const OrderAxes& by, Sp
         const auto& at = motion.box_vertices[static_cast<std::size_t>(vertex_of(feature, c))].at;
         for (int k = 0; k < 6; ++k) sum[k] += at[k];
       }
-      by.enter(sum, static_cast<float>(corners_), centers, i);
-      centers.feature[i] = feature;
+      centers[i] = by.center<axes>(sum, static_cast<float>(corners_), feature);
     }
   });
   pause();
-  order_in_space(centers, n, split, pause, groups.ends);
-  const auto order = store.features();
+  order_in_space(centers, pause, groups.ends);
   parallel_blocks(corner_blocks_.size(), [&](std::size_t block) {
     const std::size_t first = block * kBlock;
     for (std::size_t lane = 0; lane < kBlock; ++lane) {
       const std::size_t slot = first + lane < n ? first + lane : first;
       for (std::size_t c = 0; c < 3; ++c)
-        corner_blocks_[block].vertex[c][lane] = vertex_of(order[slot], std::min(c, corners - 1));
+        corner_blocks_[block].vertex[c][lane] = vertex_of(centers[slot].feature, std::min(c, corners - 1));
     }
   });
 }
 
-void BlockTree::refit(const PackedMotion& motion, const TreeKernels& kernels) {
+void BlockTree::refit(const PackedMotion& motion, BoundLeaf bound_leaf) {
   TAMIS_ASSERT(is_built_);
-  fill(levels_, motion.box_vertices, {motion.frame.margin, 0}, kernels.bound_leaf);
+  fill(levels_, motion.box_vertices, {motion.frame.margin, 0}, bound_leaf);
 }
 
-void BlockTree::refit_residuals(const PackedMotion& motion, const TreeKernels& kernels) {
+void BlockTree::refit_residuals(const PackedMotion& motion, BoundLeaf bound_leaf) {
   TAMIS_ASSERT(is_built_ && motion.residuals.size() == motion.box_vertices.size());
   if (residuals_.size() != levels_.size()) {
     residuals_.clear();
     for (const auto& level : levels_) residuals_.push_back(new_blocks(level.size()));
   }
-  fill(residuals_, motion.residuals, {BoxFrame::kLeastMargin, BoxFrame::kRelativeMargin}, kernels.bound_leaf);
+  fill(residuals_, motion.residuals, {BoxFrame::kLeastMargin, BoxFrame::kRelativeMargin}, bound_leaf);
 }
 
 void BlockTree::fill(Levels& levels, const std::vector<BoxVertex>& vertices, const BoxMargins& margins,

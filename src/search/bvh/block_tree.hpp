@@ -57,12 +57,6 @@ struct TreeView {
 using BoundLeaf = void (*)(const BoxVertex* vertices, const CornerBlock& block, int corners, int in_use,
                            const BoxMargins& margins, BoxBlock& boxes, MovingBox& hull);
 
-/// The kernels that trees are made with.
-struct TreeKernels {
-  Split split;
-  BoundLeaf bound_leaf;
-};
-
 class BlockTree {
  public:
   /// Points, edges or faces. The span must outlive the tree.
@@ -77,12 +71,12 @@ class BlockTree {
 
   /// Chooses the order by these axes, then refits. An exception of `pause` leaves a tree that can only be built again.
   void build(
-      const PackedMotion& motion, const OrderAxes& by, const TreeKernels& kernels, const Pause& pause = [] {});
+      const PackedMotion& motion, const OrderAxes& by, BoundLeaf bound_leaf, const Pause& pause = [] {});
   bool is_built() const { return is_built_; }
   /// New boxes in the old order. REQUIRES: is_built(); REQUIRES (not checked: O(n)): positions of all vertices.
-  void refit(const PackedMotion& motion, const TreeKernels& kernels);
+  void refit(const PackedMotion& motion, BoundLeaf bound_leaf);
   /// Boxes of `motion`'s residuals. REQUIRES: as refit(), and a residual for each vertex.
-  void refit_residuals(const PackedMotion& motion, const TreeKernels& kernels);
+  void refit_residuals(const PackedMotion& motion, BoundLeaf bound_leaf);
 
   Index feature_count() const { return static_cast<Index>(vertices_.size() / static_cast<std::size_t>(corners_)); }
   TreeView view() const;
@@ -106,8 +100,9 @@ class BlockTree {
   Index vertex_of(Index feature, std::size_t corner) const {
     return vertices_[static_cast<std::size_t>(feature) * static_cast<std::size_t>(corners_) + corner];
   }
-  GroupOrder order_groups(const PackedMotion& motion, Split split) const;
-  void choose_order(const PackedMotion& motion, const OrderAxes& by, Split split, const Pause& pause);
+  GroupOrder order_groups(const PackedMotion& motion) const;
+  template <int axes>
+  void choose_order(const PackedMotion& motion, const OrderAxes& by, const Pause& pause);
   void group_blocks();
   using Levels = std::vector<RawArray<BoxBlock>>;
 

@@ -32,7 +32,7 @@ bool overlap_much(std::span<const GroupedFeature> features, std::size_t group_co
 
 /// The groups without self-contact that have features, ordered by their centers in space.
 std::vector<Index> groups_in_space_order(std::span<const GroupedFeature> features,
-                                         std::span<const std::uint8_t> no_self_contact, Split split) {
+                                         std::span<const std::uint8_t> no_self_contact) {
   constexpr std::size_t kSpace = 3;
   std::vector<std::array<float, kSpace>> sums(no_self_contact.size());
   std::vector<float> counts(no_self_contact.size());
@@ -41,28 +41,26 @@ std::vector<Index> groups_in_space_order(std::span<const GroupedFeature> feature
     for (std::size_t k = 0; k < kSpace; ++k) sums[group][k] += at[k];
     ++counts[group];
   }
-  std::vector<Index> groups;
-  for (std::size_t group = 0; group < no_self_contact.size(); ++group)
-    if (no_self_contact[group] && counts[group] > 0) groups.push_back(static_cast<Index>(group));
-  CenterStore store(groups.size(), kSpace);
-  const Centers middles = store.view();
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const auto group = static_cast<std::size_t>(groups[i]);
-    for (std::size_t k = 0; k < kSpace; ++k) middles.at[k][i] = sums[group][k] / counts[group];
-    middles.feature[i] = groups[i];
+  std::vector<Center<kSpace>> middles;
+  for (std::size_t group = 0; group < no_self_contact.size(); ++group) {
+    if (!no_self_contact[group] || counts[group] == 0) continue;
+    const auto& [x, y, z] = sums[group];
+    const float count = counts[group];
+    middles.push_back({{x / count, y / count, z / count}, static_cast<Index>(group)});
   }
-  order_in_space(middles, groups.size(), split, [] {});
-  return {store.features().begin(), store.features().end()};
+  order_in_space<kSpace>(middles, [] {});
+  std::vector<Index> groups;
+  for (const auto& middle : middles) groups.push_back(middle.feature);
+  return groups;
 }
 
 }  // namespace
 
-GroupOrder order_groups(std::span<const GroupedFeature> features, std::span<const std::uint8_t> no_self_contact,
-                        Split split) {
+GroupOrder order_groups(std::span<const GroupedFeature> features, std::span<const std::uint8_t> no_self_contact) {
   if (overlap_much(features, no_self_contact.size())) return {};
   std::vector<std::size_t> rank(no_self_contact.size(), 0);  // groups that touch themselves come first
   std::size_t last = 0;
-  for (const Index group : groups_in_space_order(features, no_self_contact, split))
+  for (const Index group : groups_in_space_order(features, no_self_contact))
     rank[static_cast<std::size_t>(group)] = ++last;
   GroupOrder order{std::vector<Index>(features.size()), std::vector<std::size_t>(last + 1)};
   CountingSort sort;

@@ -23,7 +23,6 @@ struct GroupOrder {
 /// Orders the groups with `no_self_contact` by their centers in space, so that neighbours share the block in which one
 /// ends and the next begins; all other features are one group. Empty where many groups overlap, and an order in space
 /// alone serves better. REQUIRES: `no_self_contact` of all groups.
-GroupOrder order_groups(std::span<const GroupedFeature> features, std::span<const std::uint8_t> no_self_contact,
-                        Split split);
+GroupOrder order_groups(std::span<const GroupedFeature> features, std::span<const std::uint8_t> no_self_contact);
 
 }  // namespace tamis

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "numbers/assert.hpp"
 #include "search/bounds/box.hpp"
@@ -55,25 +56,24 @@ struct Spread {
 };
 
 /// The spread of blocks of sixteen points, made of every sixteenth of `points` in the order of `by`.
-Spread spread_of(const PackedMotion& motion, std::span<const Index> points, const OrderAxes& by, Split split) {
-  const std::size_t count = points.size() / kBlock;
-  CenterStore store(count, by.count());
-  const Centers centers = store.view();
+template <int axes>
+Spread spread_of(const PackedMotion& motion, std::span<const Index> points, const OrderAxes& by) {
+  std::vector<Center<axes>> centers(points.size() / kBlock);
   const auto coordinates = [&](Index vertex) -> const float* {
     return motion.box_vertices[static_cast<std::size_t>(vertex)].at;
   };
   const auto displacement = [](const float* at, int axis) { return at[3 + axis] - at[axis]; };
   const auto position = [&](const float* at, int axis) { return at[axis] + by.time * displacement(at, axis); };
-  for (std::size_t i = 0; i < count; ++i) {
-    centers.feature[i] = points[i * kBlock];
-    by.enter(coordinates(centers.feature[i]), 1, centers, i);
+  for (std::size_t i = 0; i < centers.size(); ++i) {
+    const Index point = points[i * kBlock];
+    centers[i] = by.center<axes>(coordinates(point), 1, point);
   }
-  order_in_space(centers, count, split, [] {});
+  order_in_space<axes>(centers, [] {});
   Spread spread;
-  for (std::size_t first = 0; first < count; first += kBlock) {
+  for (std::size_t first = 0; first < centers.size(); first += kBlock) {
     Box positions, displacements;
-    for (std::size_t i = first; i < std::min(count, first + kBlock); ++i) {
-      const float* at = coordinates(centers.feature[i]);
+    for (std::size_t i = first; i < std::min(centers.size(), first + kBlock); ++i) {
+      const float* at = coordinates(centers[i].feature);
       positions.include(Point{position(at, 0), position(at, 1), position(at, 2)});
       displacements.include(Point{displacement(at, 0), displacement(at, 1), displacement(at, 2)});
     }
@@ -83,21 +83,20 @@ Spread spread_of(const PackedMotion& motion, std::span<const Index> points, cons
   return spread;
 }
 
-OrderAxes axes_of_whole_step(const PackedMotion& motion, std::span<const Index> points, Split split) {
-  return {kHalf, spread_of(motion, points, {kHalf}, split).doubles() ? kHalf : 0};
+OrderAxes axes_of_whole_step(const PackedMotion& motion, std::span<const Index> points) {
+  return {kHalf, spread_of<3>(motion, points, {kHalf}).doubles() ? kHalf : 0};
 }
 
 }  // namespace
 
-OrderAxes order_axes(const PackedMotion& motion, std::span<const Index> points, LooksAt looks_at, Split split) {
-  if (looks_at == LooksAt::whole_step) return axes_of_whole_step(motion, points, split);
-  const Spread by_position = spread_of(motion, points, {0}, split);
-  if (!by_position.doubles()) return axes_of_whole_step(motion, points, split);
+OrderAxes order_axes(const PackedMotion& motion, std::span<const Index> points, LooksAt looks_at) {
+  if (looks_at == LooksAt::whole_step) return axes_of_whole_step(motion, points);
+  const Spread by_position = spread_of<3>(motion, points, {0});
+  if (!by_position.doubles()) return axes_of_whole_step(motion, points);
   const double t = by_position.doubling_time();
   if (looks_at == LooksAt::start && t > kSoon) return {0};
-  const Spread by_displacement = spread_of(motion, points, {0, kHalf}, split);
-  if (by_displacement.area_at(t) < kMoreSpread * by_position.area_at(t))
-    return axes_of_whole_step(motion, points, split);
+  const Spread by_displacement = spread_of<6>(motion, points, {0, kHalf});
+  if (by_displacement.area_at(t) < kMoreSpread * by_position.area_at(t)) return axes_of_whole_step(motion, points);
   return {0, t > kSoon ? 0 : static_cast<float>(t)};
 }
 

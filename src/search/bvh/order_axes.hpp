@@ -12,13 +12,17 @@ struct OrderAxes {
   float displacement_weight = 0;
 
   int count() const { return displacement_weight > 0 ? 6 : 3; }
-  /// Enters the mean of some vertices as center i. `sum`: of their coordinates, x y z at t=0, then at t=1.
-  void enter(const float* sum, float vertices, const Centers& centers, std::size_t i) const {
+  /// The mean of some vertices, by count() axes. `sum`: of their coordinates, x y z at t=0, then at t=1.
+  template <int axes>
+  Center<axes> center(const float* sum, float vertices, Index feature) const {
+    Center<axes> center;
+    center.feature = feature;
     for (int axis = 0; axis < 3; ++axis) {
       const float displacement = sum[3 + axis] - sum[axis];
-      centers.at[axis][i] = (sum[axis] + time * displacement) / vertices;
-      if (count() == 6) centers.at[3 + axis][i] = displacement_weight * displacement / vertices;
+      center.at[axis] = (sum[axis] + time * displacement) / vertices;
+      if constexpr (axes == 6) center.at[3 + axis] = displacement_weight * displacement / vertices;
     }
+    return center;
   }
 };
 
@@ -31,6 +35,6 @@ enum class LooksAt : std::uint8_t {
 
 /// The axes whose order serves the question best, judged by every sixteenth of `points` (docs/history/performance.md,
 /// "What is near at the start").
-OrderAxes order_axes(const PackedMotion& motion, std::span<const Index> points, LooksAt looks_at, Split split);
+OrderAxes order_axes(const PackedMotion& motion, std::span<const Index> points, LooksAt looks_at);
 
 }  // namespace tamis

@@ -80,7 +80,7 @@ void FeatureTrees::refit_for(const Step& step, const Separations& separations, c
 void FeatureTrees::refit_trees() {
   for_each_tree([&](BlockTree& tree) {
     stop_if_cancelled(options_);
-    tree.refit(motion_, kernels_.trees);
+    tree.refit(motion_, kernels_.bound_leaf);
   });
   boxes_are_current_ = true;
 }
@@ -101,7 +101,7 @@ void FeatureTrees::update_trees(LooksAt looks_at, Statistics& statistics) {
   boxes_are_current_ = false;
   axes_ = best_axes(looks_at);
   for_each_tree(
-      [&](BlockTree& tree) { tree.build(motion_, axes_, kernels_.trees, [&] { stop_if_cancelled(options_); }); });
+      [&](BlockTree& tree) { tree.build(motion_, axes_, kernels_.bound_leaf, [&] { stop_if_cancelled(options_); }); });
   built_areas_ = areas();
   built_scale_ = motion_.frame.scale;
   is_order_in_doubt_ = false;
@@ -121,9 +121,7 @@ BlockTree::Areas FeatureTrees::areas() const {
   return sum;
 }
 
-OrderAxes FeatureTrees::best_axes(LooksAt looks_at) const {
-  return order_axes(motion_, mesh_.points(), looks_at, kernels_.trees.split);
-}
+OrderAxes FeatureTrees::best_axes(LooksAt looks_at) const { return order_axes(motion_, mesh_.points(), looks_at); }
 
 bool FeatureTrees::is_order_good(LooksAt looks_at) {
   const BlockTree::Areas now = areas(), &built = *built_areas_;
@@ -165,7 +163,7 @@ void FeatureTrees::refit_residuals(const SharedMotion& shared) {
   motion_.assign_residuals(mesh_.points(), shared);
   for_each_tree([&](BlockTree& tree) {
     stop_if_cancelled(options_);
-    tree.refit_residuals(motion_, kernels_.trees);
+    tree.refit_residuals(motion_, kernels_.bound_leaf);
   });
 }
 

@@ -40,34 +40,6 @@ inline void store_compressed(unsigned mask, const xsimd::batch<T, Arch>& lanes, 
 #endif
 }
 
-/// The same, but writes nothing behind them.
-template <class T>
-inline void store_compressed_only(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* to) {
-  const int count = count_bits(mask);
-#if XSIMD_WITH_AVX512F
-  const __m512i raw = _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), same_bits<std::int32_t>(lanes));
-  _mm512_mask_storeu_epi32(to, static_cast<__mmask16>((1u << count) - 1), raw);
-#else
-  alignas(64) T some[IntLanes::size];
-  store_compressed(mask, lanes, some);
-#if XSIMD_WITH_AVX2
-  const __m256i written = _mm256_cmpgt_epi32(_mm256_set1_epi32(count), counting_from(0));
-  _mm256_maskstore_epi32(reinterpret_cast<int*>(to), written,
-                         same_bits<std::int32_t>(xsimd::batch<T, Arch>::load_aligned(some)));
-#else
-  for (int i = 0; i < count; ++i) to[i] = some[i];
-#endif
-#endif
-}
-
-/// Writes the lanes of `mask` from `low` on, the others from `high` on: a whole batch to both.
-template <class T>
-inline void store_partitioned(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* low, T* high) {
-  constexpr unsigned kAll = (1u << IntLanes::size) - 1;
-  store_compressed(mask, lanes, low);
-  store_compressed(~mask & kAll, lanes, high);
-}
-
 /// Appends `first` + i to the list for each bit i of `mask`, of sixteen.
 inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count) {
   for_sixteen_lanes([&](int lane) {

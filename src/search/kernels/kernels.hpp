@@ -150,7 +150,7 @@ struct PairKernels {
 
 struct Kernels {
   Isa isa;
-  TreeKernels trees;
+  BoundLeaf bound_leaf;
   PairKernels of_kind[kPairKinds];
   /// For edges of `a` that meet faces of `b` in one pose, by boxes at t=0. PairBuffer says how such a pair moves.
   PairKernels along_edges;

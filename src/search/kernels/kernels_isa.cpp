@@ -6,7 +6,6 @@
 #include "search/kernels/keep_boxes.hpp"
 #include "search/kernels/rest_kernels.hpp"
 #include "search/kernels/search.hpp"
-#include "search/kernels/split.hpp"
 #include "search/kernels/step_length_kernels.hpp"
 
 namespace tamis::TAMIS_ISA {
@@ -57,7 +56,7 @@ static_assert(kPairKinds == 4, "name the kernels of each kind below");
 extern const Kernels kKernels;
 constinit const Kernels kKernels{
     Isa::TAMIS_ISA,
-    {split, bound_leaf},
+    bound_leaf,
     {kernels_of<kVf>(), kernels_of<kEe>(), kernels_of<PairKind::vertex_edge>(), kernels_of<PairKind::vertex_vertex>()},
     kAlongEdges};
 

@@ -21,7 +21,7 @@ class BlockTreeGroups : public testing::Test {
     motion_.assign(scene_.step(), mesh_.points(), {});
     tree_.set_features(mesh_.edges());
     tree_.set_groups(filter_.group_of_vertex, filter_.groups_may_touch, filter_.group_count);
-    tree_.build(motion_, {}, kernels(Isa::best).trees);
+    tree_.build(motion_, {}, kernels(Isa::best).bound_leaf);
   }
   Index group_of(int block, int lane) const {
     return scene_.group_of_vertex[static_cast<std::size_t>(tree_.view().corners[block].vertex[0][lane])];
@@ -65,7 +65,7 @@ TEST_F(BlockTreeGroups, ANodeIsLeftOutOnlyIfAllInItMayNotTouch) {
 // Bug: a group that may touch itself is taken for one that may not, or loses its order in space.
 TEST_F(BlockTreeGroups, GroupsThatTouchThemselvesAreOrderedAsOne) {
   const auto order = [&] {
-    tree_.build(motion_, {}, kernels(Isa::best).trees);
+    tree_.build(motion_, {}, kernels(Isa::best).bound_leaf);
     std::vector<Index> vertices;
     for (int block = 0; block < tree_.view().leaf_blocks; ++block)
       vertices.insert(vertices.end(), std::begin(tree_.view().corners[block].vertex[0]),
@@ -84,7 +84,7 @@ TEST_F(BlockTreeGroups, GroupsThatTouchThemselvesAreOrderedAsOne) {
 
 TEST_F(BlockTreeGroups, WithoutGroupsNothingIsLeftOut) {
   tree_.set_groups({}, {}, 1);
-  tree_.build(motion_, {}, kernels(Isa::best).trees);
+  tree_.build(motion_, {}, kernels(Isa::best).bound_leaf);
   EXPECT_FALSE(are_excluded(tree_.view(), 0, tree_.view(), 0, 0));
 }
 

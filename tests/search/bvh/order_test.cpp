@@ -11,14 +11,11 @@
 #include "scenes/shapes.hpp"
 #include "search/bvh/group_order.hpp"
 #include "search/bvh/order_axes.hpp"
-#include "search/kernels/kernels.hpp"
 
 namespace tamis::test {
 namespace {
 
 using namespace scenes;
-
-const Split kSplit = kernels(Isa::best).trees.split;
 
 /// Of features in a unit cube each, `apart` from one group's cube to the next.
 GroupOrder order_of_groups(float apart) {
@@ -33,7 +30,7 @@ GroupOrder order_of_groups(float apart) {
   std::vector<GroupedFeature> features;
   for (Index i = 0; i < kGroups * kFeatures; ++i)
     features.push_back({i % kGroups, places[static_cast<std::size_t>(i)].data()});
-  return order_groups(features, std::vector<std::uint8_t>(kGroups, 1), kSplit);
+  return order_groups(features, std::vector<std::uint8_t>(kGroups, 1));
 }
 
 TEST(OrderOfGroups, KeepsTogetherThoseThatAreApart) {
@@ -64,7 +61,7 @@ OrderAxes axes_of_passing_balls(double times, LooksAt looks_at) {
   std::iota(points.begin(), points.end(), 0);
   PackedMotion motion;
   motion.assign(scene.step(), points, {});
-  return order_axes(motion, points, looks_at, kSplit);
+  return order_axes(motion, points, looks_at);
 }
 
 TEST(OrderAxesOfPassingBodies, PartThemByTheirWays) {

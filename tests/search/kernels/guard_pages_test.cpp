@@ -228,8 +228,8 @@ TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
     const std::vector<std::uint8_t> may_touch(4, 1);
     for (BlockTree* tree : {&points, &edges, &faces}) {
       tree->set_groups(group_of_vertex, may_touch, 2);
-      tree->build(motion, {}, kernels->trees);
-      tree->refit_residuals(motion, kernels->trees);
+      tree->build(motion, {}, kernels->bound_leaf);
+      tree->refit_residuals(motion, kernels->bound_leaf);
     }
     for (const Guard guard : {Guard::before, Guard::behind}) {
       const Guarded<PackedVertex> vertices(motion.vertices, guard);

@@ -5,7 +5,7 @@ int main(void) {
   /* a floor that stays, and a blade above it that turns about y by a quarter: its tip goes down */
   const int32_t face[] = {0, 1, 2};
   const double floor_points[] = {-5, -5, 0, 5, -5, 0, 0, 5, 0}, blade_points[] = {0, 0, 0, 2, 0, 0, 1, 0.5, 0};
-  const tamis_link turn = {{{0, 0, 1}, {0, 0, 0}}, {{0, 0, 1}, {0, 1.5707963267948966, 0}}};
+  const tamis_rigid_link turn = {{{0, 0, 1}, {0, 0, 0}}, {{0, 0, 1}, {0, 1.5707963267948966, 0}}};
   const tamis_mesh_input input = {.size = sizeof input, .vertex_count = 3, .faces = face, .face_count = 1};
   const tamis_motions stays = {.size = sizeof stays, .count = 1};
   const tamis_motions turns = {.size = sizeof turns, .count = 1, .links = &turn, .links_of_each = 1};

@@ -19,7 +19,7 @@ int main() {
     wanted.position[0] += 0.7;
     wanted.rotation[2] += 0.25;
     for (std::size_t v = 0; v < sheet.size(); ++v) next[v] = {sheet[v][0] + 0.2, sheet[v][1], sheet[v][2]};
-    const tamis::Chain way = tamis::interpolated(now, wanted);
+    const tamis::RigidChain way = tamis::interpolated_chain(now, wanted);
     world.move(turning, tamis::Rigid{way});  // each step, each body that moves
     world.move(soft, tamis::Deforming{sheet, next});
     for (const tamis::BodyContact& c : world.contacts())

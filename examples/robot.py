@@ -11,7 +11,7 @@ world.set_may_touch([upper, lower], False)                           # they meet
 
 
 def joint(place, start, end):
-    return tamis.interpolated([place, [0, 0, start]], [place, [0, 0, end]])
+    return tamis.interpolated_chain([place, [0, 0, start]], [place, [0, 0, end]])
 
 
 still = np.zeros((1, 4, 3))                                          # as many links for each body

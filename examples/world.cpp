@@ -8,7 +8,7 @@ int main() {
   world.add(wall, tamis::Static{});
   for (int i = 0; i < 1000; ++i) {  // one mesh, a thousand bodies that turn
     const double y = 9.5 * i;
-    world.add(blade, tamis::Rigid{tamis::interpolated({{-2, y, 0}, {}}, {{-0.5, y, 0}, {0, 0, 0.5}})});
+    world.add(blade, tamis::Rigid{tamis::interpolated_chain({{-2, y, 0}, {}}, {{-0.5, y, 0}, {0, 0, 0.5}})});
   }
   for (const tamis::BodyContact& c : world.contacts())
     std::printf("bodies %d and %d touch in [%.6f, %.6f]\n", c.bodies[0], c.bodies[1], c.toi_lower, c.toi_upper);

@@ -289,10 +289,8 @@ TEST(AStepThatExplodes, HasTheFirstContactOfAllPairsWhereTwoComeInOneInstant) {
   }
 }
 
-TEST(BadName, OfAMethodNamesTheChoices) {
-  EXPECT_NE(message_of<InvalidOptions>([] { yardstick::method_from_name("fast"); }).find("tamis"), std::string::npos);
-  EXPECT_THROW((void)isa_from_name("sse9"), InvalidOptions);
-  for (const Method method : kMethods) EXPECT_EQ(yardstick::method_from_name(name_of(method)), method);
+TEST(BadName, OfAnInstructionSetNamesTheChoices) {
+  EXPECT_NE(message_of<InvalidOptions>([] { (void)isa_from_name("sse9"); }).find("baseline"), std::string::npos);
 }
 
 }  // namespace

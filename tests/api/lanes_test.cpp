@@ -104,7 +104,7 @@ class Lanes : public testing::TestWithParam<Isa> {
     const scenes::Scene alone = scene_of_pair(pairs, contact);
     PairOptions options;
     options.isa = isa;
-    const std::vector<Pair> listed{{contact.kind, {0, 1, 2, 3}}};
+    const std::vector<FeaturePair> listed{{contact.kind, {0, 1, 2, 3}}};
     const std::vector<PairResult> result = narrow_phase(listed, {alone.start, alone.end}, options);
     EXPECT_EQ(bits_of(result.front()), bits_of(contact)) << "in a list";
     const std::vector<Contact> in_mesh = find_contacts(alone, options_for(pairs.kind, isa));

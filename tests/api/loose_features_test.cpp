@@ -9,6 +9,8 @@
 #include "scenes/random.hpp"
 #include "support/contact_sets.hpp"
 #include "support/copied.hpp"
+#include "support/yardstick/methods.hpp"
+#include "support/yardstick/pairs.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {

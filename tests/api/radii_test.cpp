@@ -83,10 +83,8 @@ TEST_P(Thickness, StepLengthsOfAllMethodsAreTheSameBits) {
           .safe_step(scene.step(), fraction, {.min_separation = 0x1p-14 * size});
     };
     const SafeStep truth = keep(Method::brute);
-    for (const Method method : {Method::tamis, Method::paper}) {
-      EXPECT_EQ(keep(method).toi_lower, truth.toi_lower) << scene.name << " by " << name_of(method);
-      EXPECT_EQ(keep(method).pair.has_value(), truth.pair.has_value());
-    }
+    EXPECT_EQ(keep(Method::tamis).toi_lower, truth.toi_lower) << scene.name;
+    EXPECT_EQ(keep(Method::tamis).pair.has_value(), truth.pair.has_value());
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "api/truncated.hpp"
 #include "support/contact_sets.hpp"
+#include "support/yardstick/methods.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {

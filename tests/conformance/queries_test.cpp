@@ -1,7 +1,6 @@
 // All published queries through the two calls for one pair.
 #include <gtest/gtest.h>
 
-#include "paper/detector.hpp"
 #include "support/copied.hpp"
 #include "support/test_data.hpp"
 #include "support/yardstick/methods.hpp"

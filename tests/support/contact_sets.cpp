@@ -6,8 +6,9 @@
 #include <span>
 #include <sstream>
 
-#include "paper/pairs.hpp"
 #include "support/copied.hpp"
+#include "support/yardstick/methods.hpp"
+#include "support/yardstick/pairs.hpp"
 
 namespace tamis::test {
 

@@ -20,7 +20,8 @@ std::size_t contacts_of(const test::Query& q, std::string_view method) {
   const bool is_vf = q.kind == PairKind::vertex_face;
   Mesh mesh = is_vf ? Mesh(4, {{1, 2, 3}}, {}, {0}) : Mesh(4, {}, {{0, 1}, {2, 3}});
   const Positions start(q.motion.start), end(q.motion.end);
-  return make_detector(std::move(mesh), options).contacts({start, end}).size();
+  Detector detector = make_detector(std::move(mesh), options);
+  return detector.contacts({start, end}).size();
 }
 
 class PublishedQueries : public testing::Test {

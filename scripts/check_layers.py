@@ -13,7 +13,7 @@ LAYER = {"numbers": 0, "pair/motion": 1, "search/bounds": 2, "search/topology": 
 # Folders outside the library, and what each may include besides itself and the public headers.
 OUTSIDE = {"include/tamis": [], "bindings/c": ["numbers"], "bindings/python/src": ["python", "audit", "files", "scenes", "numbers"],
            # Ranks find a frame together, and give it to their detectors.
-           "distributed/include": [], "distributed/src": ["distributed", "search/bounds", "api", "numbers"], "distributed/command": ["distributed", "files", "command"],
+           "distributed/include": [], "distributed/src": ["distributed", "search/bounds", "api", "numbers"],
            "tools/audit": [],
            # Files set the floating-point state as the library does.
            "tools/files": ["audit", "numbers", "curves/paths"], "tools/scenes": ["files"], "tools/command": ["audit", "files", "scenes"], "integrations": ["c", "files"],

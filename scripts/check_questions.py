@@ -86,7 +86,6 @@ def doors() -> dict[str, list[set[str]]]:
             c_functions("tamis_detector_"),
             command - {"bodies"},
             distributed,
-            verbs("distributed/command"),
         ],
         "Bodies": [
             methods("include/tamis/world.hpp", "World"),

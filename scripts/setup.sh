@@ -13,9 +13,7 @@ cd "$(dirname "$0")/.."
 clang=(clang libclang-rt-dev)
 [[ $(. /etc/os-release 2>/dev/null && echo "${VERSION_CODENAME-}") != bookworm ]] || clang=(clang-14 libclang-rt-14-dev)
 packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
-          libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev libb64-dev libpng-dev)
-# Draws pictures; Debian has it for x86_64 only.
-[[ $(uname -m) != x86_64 ]] || packages+=(libembree-dev)
+          libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev libb64-dev)
 case ${1:-} in
   --tests)
     packages+=(libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev

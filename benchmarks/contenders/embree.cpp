@@ -1,5 +1,9 @@
 // Embree, rtcCollide: a hierarchy of swept boxes (user geometry), Morton build. Apache-2.0.
-#include "files/picture/embree.hpp"
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
 
 #include "benchmarks/contenders/swept_boxes.hpp"
 

@@ -13,7 +13,6 @@ shoot() { node ../../tools/viewer/shoot.mjs "$@"; }
 "$tamis" scene bunny --triangles 3000 --frames 20 --out "$work/bunny"
 "$tamis" view "$work/bunny/frame_0018.ply" "$work/bunny/frame_0019.ply" --scale 10 --out bunny.html
 
-"$tamis" contacts "$start" "$end" --out picture.png >"$work/answer.txt"
 "$tamis" view "$start" "$end" --out "$work/step.html"
 shoot "$work/step.html" overview.png 1280x720 dark
 shoot "$work/step.html" sieve.png 1280x720 light v

@@ -30,8 +30,7 @@ int run_quietly(std::vector<std::string> words) {
   posix_spawn_file_actions_addopen(&streams, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&streams, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_adddup2(&streams, STDERR_FILENO, STDOUT_FILENO);
-  // A child inherits ignored signals. This program ignores SIGXFSZ (remove_unfinished_files_on_signals): the child must
-  // not.
+  // A child inherits ignored signals. This program ignores SIGXFSZ (run_command.cpp); the child must not.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t defaults;

@@ -44,7 +44,7 @@ ApproximatePolynomial::Value ApproximatePolynomial::near(double t) const {
     size += std::fabs(value);
   }
   // A term is off by 2 u for its coefficient, 5 u for the power, 1 u for the product, 6 * 2 u for its change up to the
-  // next double; six sums add 6 u. In all below 32 u; 64 u are given, which covers the loss of terms 2^-900 below the
+  // next double. Six sums add 6 u. In all below 32 u; 64 u are given, which covers the loss of terms 2^-900 below the
   // largest.
   return {sum, 0x1p-47 * size, highest};
 }

@@ -1,5 +1,5 @@
-// The constant axes of the k-DOPs, in an order such that every family is a prefix: 3 axes are the box, 8 the 16-DOP,
-// 9 the 18-DOP, 13 the 26-DOP (Klosowski et al. 1998).
+// The constant axes of the k-DOPs (Klosowski et al. 1998). Every family is a prefix: 3 axes are the box, 8 the 16-DOP,
+// 9 the 18-DOP, 13 the 26-DOP.
 #pragma once
 #include <cstddef>
 #include <utility>

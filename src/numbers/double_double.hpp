@@ -1,11 +1,11 @@
 // Double-double numbers: the unevaluated sum of two doubles, about 106 bits. Used where doubles are too coarse, on
-// curves and in straight motion, by the same templates. No FMA: a product is split as Dekker does, so that every
-// machine gives the same bits.
+// curves and in straight motion, by the same templates. No FMA: a product is split as Dekker does, so every machine
+// gives the same bits.
 //
 // Error bounds after Joldes, Muller, Popescu, Tight and rigorous error bounds for basic building blocks of double-word
-// arithmetic (ACM TOMS 44, 2017), with u = 2^-53: sum 3 u^2 / (1 - 4 u) (theorem 3.1), with a double 2 u^2
-// (algorithm 4), product 7 u^2 (theorem 5.1), all relative; the quotient is derived below. unit_roundoff is 2^-103 = 8
-// u^2. They hold where nothing overflows or underflows. The solver's numbers are below 2^7; an underflow costs each of
+// arithmetic (ACM TOMS 44, 2017). With u = 2^-53 they are: sum 3 u^2 / (1 - 4 u) (theorem 3.1), with a double 2 u^2
+// (algorithm 4), product 7 u^2 (theorem 5.1), all relative. The quotient is derived below. unit_roundoff is 2^-103 = 8
+// u^2. They hold where nothing overflows or underflows. The solver's numbers are below 2^7. An underflow costs each of
 // the 17 operations of a split product at most 2^-1075, which `underflow` covers.
 #pragma once
 #include "numbers/assert.hpp"
@@ -23,8 +23,8 @@ struct DoubleDouble {
 
   DoubleDouble() = default;
   constexpr DoubleDouble(double value) : high(value) {}
-  /// REQUIRES: `high_part` is the sum of both, rounded. Not checked below 2^-968, where the 106 bits of a product reach
-  /// below the smallest double: there rounding may make a low part too large by half a unit of that.
+  /// REQUIRES: `high_part` is the sum of both, rounded. Not checked below 2^-968: there the 106 bits of a product reach
+  /// below the smallest double. Rounding may make a low part too large by half a smallest double.
   constexpr DoubleDouble(double high_part, double low_part) : high(high_part), low(low_part) {
     TAMIS_ASSERT(high + low == high || abs_of(high) < 0x1p-968 || !(high - high == 0 && low - low == 0));
   }
@@ -34,7 +34,7 @@ struct DoubleDouble {
     const double sum = a + b, b_part = sum - a, a_part = sum - b_part;
     return {sum, (a - a_part) + (b - b_part)};
   }
-  /// a b, exactly (Dekker, Veltkamp), where |a|, |b| < 2^995; of larger ones the low part is NaN, which proves nothing.
+  /// a b, exactly (Dekker, Veltkamp), where |a|, |b| < 2^995. Of larger ones the low part is NaN, which proves nothing.
   static DoubleDouble product_of(double a, double b) {
     const double product = a * b;
     const Halves x = halves(a), y = halves(b);
@@ -56,8 +56,8 @@ struct DoubleDouble {
 
 namespace double_double {
 
-/// a + b, exactly. REQUIRES: |a| >= |b|, or a = 0, or a is a multiple of the last digit of b, as where two numbers
-/// cancel that differ by no more than their low parts.
+/// a + b, exactly. REQUIRES: |a| >= |b|, or a = 0, or a is a multiple of the last digit of b. The last holds where two
+/// numbers cancel that differ by no more than their low parts.
 inline DoubleDouble ordered_sum(double a, double b) {
   const double sum = a + b, low = b - (sum - a);
   TAMIS_ASSERT(a == 0 || !(std::fabs(a) < std::fabs(b)) || low == DoubleDouble::sum_of(a, b).low);
@@ -84,8 +84,8 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   return double_double::ordered_sum(c.high, c.low + (a.high * b.low + a.low * b.high));
 }
 
-/// Off by at most 32 u^2 = 2^-100 of itself: the remainder after the first quotient is below 4 u of a and off by 11 u^2
-/// of a (a product, a difference); the second quotient is off by 3 u of the remainder; the sum is exact.
+/// Off by at most 32 u^2 = 2^-100 of itself. The remainder after the first quotient is below 4 u of a and off by 11 u^2
+/// of a (a product, a difference). The second quotient is off by 3 u of the remainder. The sum is exact.
 inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   const double first = a.high / b.high;
   const DoubleDouble rest = a - b * DoubleDouble(first);

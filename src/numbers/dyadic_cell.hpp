@@ -1,4 +1,4 @@
-// The interval (n, n+1) / 2^k in which a time is enclosed. Two such cells are nested or disjoint; the gap between two
+// The interval (n, n+1) / 2^k that encloses a time. Two such cells are nested or disjoint. The gap between two
 // neighbouring doubles is one of them.
 #pragma once
 #include "numbers/integer.hpp"
@@ -19,14 +19,14 @@ struct DyadicCell {
 /// REQUIRES: 0 <= lower <= 1.
 DyadicCell cell_above(double lower);
 
-/// The cell with the least k whose lower end is the time: n is odd, or k = 0. Its numbers are shorter than those of
-/// cell_above(), which has k = 1074 at t = 0. REQUIRES: 0 <= time <= 1.
+/// The cell with the least k whose lower end is the time: n is odd, or k = 0. Its numbers are shorter than the numbers
+/// of cell_above(), which has k = 1074 at t = 0. REQUIRES: 0 <= time <= 1.
 DyadicCell shortest_cell_at(double time);
 
 /// The double halfway between a and b in the order of the doubles: 62 halvings separate any two. REQUIRES: 0 <= a <= b.
 double middle_double(double a, double b);
 
-/// The sign of the lower end of `a` minus that of `b`.
+/// The sign of the lower end of `a` minus the lower end of `b`.
 int compare_lower_ends(const DyadicCell& a, const DyadicCell& b);
 
 /// A time strictly between the lower ends, of few bits. REQUIRES: `a` before `b`.

@@ -11,7 +11,8 @@
 
 namespace tamis {
 
-/// Has what the templates of pair/motion/polynomials.hpp need, as Integer does, and says whether its sign is known.
+/// Has the operations that the templates of pair/motion/polynomials.hpp need, as Integer does, and tells whether its
+/// sign is known.
 class Estimate {
  public:
   Estimate() = default;
@@ -36,7 +37,7 @@ class Estimate {
 
   double value() const { return value_; }
   bool has_sign() const { return is_zero() || std::fabs(value_) > error_; }
-  /// Means nothing unless has_sign(); callers may ask that afterwards.
+  /// Means nothing unless has_sign(), which callers may test afterwards.
   int sign() const { return value_ > 0 ? 1 : value_ < 0 ? -1 : 0; }
   /// Is the value off by at most a few roundings, 2^-48 of `size`?
   bool is_sharp(double size) const { return error_ <= 0x1p-48 * size && std::isfinite(size); }

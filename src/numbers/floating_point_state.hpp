@@ -1,10 +1,10 @@
 // The state of a thread that decides how results round. Error bounds hold only if results round to nearest and
 // subnormal numbers are numbers. Engines and other callers set other states, so every public function that computes
-// begins with a ComputingState, and each task for another thread too (in_parts.hpp); callers' functions run in a
+// begins with a ComputingState, and each task for another thread too (in_parts.hpp). Callers' functions run in a
 // CallersState.
 //
 // Known are x86-64 (MXCSR; and the x87 word, which the C library's strtod reads) and 64-bit ARM (FPCR). On any other
-// machine nothing is read or set: a port must add its register here, or its callers must leave the state as it begins.
+// machine nothing is read or set. A port must add its register here, or its callers must not change the state.
 #pragma once
 #include <cstdint>
 #include <type_traits>
@@ -66,7 +66,7 @@ struct ComputesFor {
 };
 inline constinit thread_local ComputesFor computes_for;
 
-/// Results round to nearest while it lives; afterwards the thread has its state of before, also after an exception.
+/// Results round to nearest while it lives. Afterwards the thread has its state of before, also after an exception.
 class ComputingState {
  public:
   /// At a door of the library. A thread that computes already has another caller: the one of the outer door.

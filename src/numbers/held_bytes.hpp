@@ -5,8 +5,8 @@
 
 namespace tamis {
 
-/// An object's memory_bytes(); for a pointer or an optional that of its object, if any; for a vector of numbers its
-/// capacity; for other containers what their elements, or a map's values, hold.
+/// An object's memory_bytes(). For a pointer or an optional: the bytes of its object, if any. For a vector of numbers:
+/// its capacity. For other containers: the sum over their elements, or a map's values.
 template <class Part>
 std::uint64_t held_bytes(const Part& part) {
   if constexpr (requires { part.memory_bytes(); }) {

@@ -40,8 +40,8 @@ void for_each_in_parts(const Items& items, std::size_t grain, const F& f) {
   });
 }
 
-/// Joins f(begin, end) of all parts: a flag, a count, a largest or least value, a box, so that the result is the same
-/// however the loop is parted. `nothing`: the value of no items. join(a, b): the value of both parts.
+/// Joins f(begin, end) of all parts: a flag, a count, a largest or least value, a box. The result is the same however
+/// the loop is parted. `nothing`: the value of no items. join(a, b): the value of both parts.
 template <class Value, class Join, class F>
 Value joined_parts(std::size_t count, std::size_t grain, const Value& nothing, const Join& join, const F& f) {
   if (count > grain && has_other_threads()) {
@@ -73,7 +73,7 @@ bool all_in_parts(std::span<const Item> items, std::size_t grain, const F& is_so
   return are_so;
 }
 
-/// An order for a sort that calls pause() now and then, from the threads that sort; an exception that it throws leaves
+/// An order for a sort that calls pause() now and then, from the threads that sort. An exception that it throws leaves
 /// the items in no order. Keeps references.
 template <class Order, class Pause>
 auto pausing(const Order& comes_before, const Pause& pause) {

@@ -1,6 +1,6 @@
-// Integers of any size by GMP, those up to 768 bits without the heap: an exact decision makes hundreds of them, and
-// with mpz_class half of its time went to malloc. Most operations are sums of numbers below 2^126 or products of two
-// limbs by two; these bypass GMP.
+// Integers of any size by GMP. Up to 768 bits they need no heap: an exact decision makes hundreds of them, and
+// mpz_class spends half of its time in malloc. Most operations are sums of numbers below 2^126 or products of two limbs
+// by two. These bypass GMP.
 #pragma once
 #include <gmp.h>
 
@@ -12,7 +12,8 @@
 
 namespace tamis {
 
-/// Has what the templates of pair/motion/polynomials.hpp and Horner's rule need; get() opens the rest of GMP.
+/// Has the operations that the templates of pair/motion/polynomials.hpp and Horner's rule need. get() gives the rest of
+/// GMP.
 class Integer {
  public:
   Integer() noexcept { use_own_limbs(); }
@@ -103,7 +104,7 @@ class Integer {
     const int size = to[1] != 0 ? 2 : to[0] != 0;
     value_->_mp_size = is_negative ? -size : size;
   }
-  /// Below 2^126, so that sums are below 2^127.
+  /// Below 2^126, so sums are below 2^127.
   bool is_short() const {
     const int count = limbs();
     return count < 2 || (count == 2 && value_->_mp_d[1] >> 62 == 0);
@@ -170,7 +171,7 @@ class Integer {
     operation(result.value_, operands...);
     return result;
   }
-  /// Makes the room that GMP asks for a result, before the operation: GMP must not reallocate our own limbs.
+  /// Makes room for a result before the operation: GMP must not reallocate our own limbs.
   void reserve(int limbs) {
     if (limbs > value_->_mp_alloc) grow(limbs);
   }

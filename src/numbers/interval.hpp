@@ -17,15 +17,15 @@ namespace tamis {
 namespace rounding {
 
 /// x moved down: at most the predecessor and at least the second predecessor of x, for finite x (Rump, Zimmermann,
-/// Boldo, Melquiond 2009), so at or below the number that was rounded to x. Takes one multiplication and two additions
-/// instead of a library call. -inf stays; NaN stays.
+/// Boldo, Melquiond 2009). So the result is at or below the number that was rounded to x. Takes one multiplication and
+/// two additions instead of a library call. -inf stays; NaN stays.
 template <class T>
 inline T below(const T& x) {
   constexpr double kUlp = 0x1p-53 * (1 + 0x1p-52), kTiny = std::numeric_limits<double>::denorm_min();
   return x - (T(kUlp) * abs(x) + T(kTiny));
 }
-/// Operations are off by at most 2^-100 of themselves, the subtraction here by 2^-104 of x; kUlp of the high part, in
-/// doubles, is more than both together. kTiny is far above what underflows.
+/// Operations are off by at most 2^-100 of themselves, the subtraction here by 2^-104 of x. In doubles kUlp of the high
+/// part is more than both together. kTiny is far above what underflows.
 inline DoubleDouble below(const DoubleDouble& x) {
   constexpr double kUlp = 0x1p-99, kTiny = error_bounds::underflow<DoubleDouble>;
   return x - (kUlp * std::fabs(x.high) + kTiny);
@@ -34,9 +34,9 @@ template <class T>
 inline T above(const T& x) {
   return -below(-x);
 }
-/// below() for a sum, which leaves zero: a sum that is zero is exact, in double and in double-double, whose sums are
-/// off by a part of themselves. (So is a product with an exact zero.) Moved down, zero would become a denormal number,
-/// and so would products with it: processors take a hundred times as long for these.
+/// below() for a sum, except that zero stays zero. A sum that is zero is exact in double and in double-double, because
+/// sums are off by a part of themselves. (So is a product with an exact zero.) Moved down, zero would become a denormal
+/// number, and so would products with it: processors take a hundred times as long for these.
 template <class T>
 inline T sum_below(const T& x) {
   return select(x == T(0), x, below(x));

@@ -22,8 +22,8 @@ using IntLanes = xsimd::batch<std::int32_t, Arch>;
 inline constexpr int kDoubleLanes = static_cast<int>(DoubleLanes::size);
 inline constexpr int kFloatLanes = static_cast<int>(FloatLanes::size);
 
-/// The same bits as lanes of `To`. From version 11 on xsimd::bitwise_cast takes the type of a lane, before that of the
-/// batch.
+/// The same bits as lanes of `To`. From version 11 on xsimd::bitwise_cast takes the type of a lane; before, the type of
+/// the batch.
 template <class To, class From>
 inline xsimd::batch<To, Arch> same_bits(const xsimd::batch<From, Arch>& lanes) {
 #if XSIMD_VERSION_MAJOR < 11
@@ -193,9 +193,9 @@ struct Masked<xsimd::batch<Number, TAMIS_ISA::Arch>> {
 };
 #endif
 
-/// A ratio without a division, which costs as much as twenty other operations: the bits of b give a guess at 1/b,
-/// within 5.1%, and a step of Newton squares its error. Measured over all mantissas: 2.56e-3 (numbers/lanes_test).
-/// REQUIRES (not checked: lanes): |b| in [2^-100, 2^100].
+/// A ratio without a division, which would cost as much as twenty other operations. The bits of b give a guess at 1/b,
+/// within 5.1%. A step of Newton squares its error. Measured over all mantissas: 2.56e-3 (numbers/lanes_test). REQUIRES
+/// (not checked: lanes): |b| in [2^-100, 2^100].
 template <>
 struct Ratio<TAMIS_ISA::FloatLanes> {
   using Lanes = TAMIS_ISA::FloatLanes;

@@ -8,9 +8,9 @@ namespace tamis {
 
 inline constexpr double kMuchLarger = 32;
 
-/// The mean of those of value_of(0), value_of(stride), ... below `count` that do not exceed `most`. As long as one of
-/// them is more than kMuchLarger times the mean, only values up to the mean are kept. 0 of no values; always finite.
-/// REQUIRES (not checked: O(n)): values >= 0.
+/// The mean of value_of(0), value_of(stride), ... below `count`, of values up to `most`. As long as a value is more
+/// than kMuchLarger times the mean, only values up to the mean are kept. 0 of no values; always finite. REQUIRES (not
+/// checked: O(n)): values >= 0.
 template <class F>
 double mean_of_most(std::size_t count, std::size_t stride, const F& value_of,
                     double most = std::numeric_limits<double>::infinity()) {

@@ -1,4 +1,4 @@
-// Scaling by a power of two, so that no decision depends on the unit of length.
+// Scaling by a power of two, so no decision depends on the unit of length.
 #pragma once
 #include <algorithm>
 #include <cmath>

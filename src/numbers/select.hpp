@@ -1,4 +1,4 @@
-// The few operations that double lacks but SIMD lanes have, so that one template serves both.
+// The few operations that double lacks but SIMD lanes have, so one template serves both.
 #pragma once
 #include <cmath>
 #include <limits>
@@ -33,8 +33,8 @@ inline double abs(double a) { return std::fabs(a); }
 inline double sqrt(double a) { return std::sqrt(a); }
 inline bool any(bool mask) { return mask; }
 
-/// Selections that lanes specialize: those with a constant on one side are one operation where a mask is as wide as the
-/// numbers, and most processors have one for the others.
+/// Selections that lanes specialize. With a constant on one side they are one operation where a mask is as wide as the
+/// numbers. Most processors have an instruction for the others.
 template <class T>
 struct Masked {
   template <class Mask>

@@ -11,7 +11,7 @@ inline T largest_component(const Vec3<T>& v) {
   return max(max(abs(v.x), abs(v.y)), abs(v.z));
 }
 
-/// v / |v|; NaN where `v` is zero or NaN. Divides by the largest component first, so that no square underflows.
+/// v / |v|; NaN where `v` is zero or NaN. Divides by the largest component first, so no square underflows.
 template <class T>
 inline Vec3<T> unit_vector(const Vec3<T>& v) {
   const T size = largest_component(v);

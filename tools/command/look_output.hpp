@@ -1,4 +1,4 @@
-// `--out` of the verbs that show contacts or intersections: tables, files to look at, pictures.
+// `--out` of the verbs that show contacts or intersections: tables and files to look at.
 #pragma once
 #include <filesystem>
 #include <span>
@@ -6,23 +6,21 @@
 #include <vector>
 
 #include "command/command_line/option_list.hpp"
-#include "files/picture/picture.hpp"
 #include "files/view/outputs.hpp"
 
 namespace tamis::cli {
 
 enum class Shown { steps, pose };
 
-/// The file to write, and how a picture looks.
+/// The file to write.
 class LookOutput {
  public:
-  /// `path`: the default, "" for none. `shown`: a pose has fewer formats, and no time.
+  /// `path`: the default, "" for none. `shown`: a pose has fewer formats.
   LookOutput(std::string path, io::NoExtension without, Shown shown = Shown::steps)
       : path_(std::move(path)), without_(without), shown_(shown) {}
 
   void declare(OptionList& options);
-  /// To be called before anything is read. Throws io::FileError if no output has this extension, InvalidOptions if
-  /// pictures cannot be made, or if an option of pictures comes without a picture.
+  /// To be called before anything is read. Throws io::FileError if no output has this extension.
   void check() const;
   /// To be called before the work. Throws as check() and require_output() do, and if the output cannot hold so many
   /// steps; 0 steps: a pose.
@@ -36,15 +34,10 @@ class LookOutput {
   std::vector<io::Output> choices() const;
   /// REQUIRES: a path.
   io::Output output() const;
-  io::PictureOptions picture() const;
 
   std::string path_;
   io::NoExtension without_;
   Shown shown_;
-  Option time_option_;
-  double time_ = io::PictureOptions().time;
-  std::vector<double> from_;  ///< as given
-  std::vector<int> size_;     ///< as given
 };
 
 /// The recording of a pose. Valid as long as the detector. REQUIRES: the detector's last answer is `found`.

@@ -1,9 +1,14 @@
 #include "files/atomic_file.hpp"
 
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <climits>
+#include <cstdio>
+#include <random>
 #include <string>
 #include <system_error>
 
@@ -61,6 +66,12 @@ void take_over(const struct stat& old, int descriptor) {
     throw std::system_error(errno, std::generic_category());
 }
 
+/// The final name, digits that make it unique, ".part". The longest names are cut.
+std::string name_of_part(const fs::path& target) {
+  const std::string ending = fmt::format(".{:08x}.part", std::random_device()());
+  return (target.parent_path() / (target.filename().string().substr(0, NAME_MAX - ending.size()) + ending)).string();
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(const fs::path& path) : path_(path), target_(behind_links(path)) {
@@ -71,22 +82,29 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(path), target_(behind_links
     if (is_written_directly(target_))
       file_.reset(std::fopen(target_.c_str(), "ab"));  // appends: a descriptor's file keeps its content
     else
-      open_unfinished();
+      open_part();
   } catch (const std::system_error& failure) {
     refuse_to_write(path_, failure.code().value());
   }
   if (!file_) refuse_to_write(path_, errno);
 }
 
-void AtomicFile::open_unfinished() {
+AtomicFile::~AtomicFile() {
+  if (!part_.empty()) unlink(part_.c_str());
+}
+
+void AtomicFile::open_part() {
   struct stat old {};
   const bool replaces = stat(target_.c_str(), &old) == 0;
   // A rename would succeed in spite of the old file's write protection.
   if (replaces && access(target_.c_str(), W_OK) != 0) refuse_to_write(path_, errno);
   constexpr mode_t kUsual = 0666, kPrivate = 0600;
-  unfinished_.emplace(target_.has_parent_path() ? target_.parent_path() : ".", replaces ? kPrivate : kUsual);
-  file_.reset(fdopen(unfinished_->descriptor(), "wb"));
-  if (replaces) take_over(old, unfinished_->descriptor());
+  const std::string name = name_of_part(target_);
+  const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, replaces ? kPrivate : kUsual);
+  if (descriptor < 0) throw std::system_error(errno, std::generic_category());
+  part_ = name;
+  file_.reset(fdopen(descriptor, "wb"));
+  if (replaces) take_over(old, descriptor);
 }
 
 void AtomicFile::append(std::string_view bytes) {
@@ -99,14 +117,12 @@ void AtomicFile::append(std::string_view bytes) {
 void AtomicFile::commit() {
   if (error_ == 0 && std::fflush(file_.get()) != 0) error_ = errno;
   // Otherwise a power cut could lose the data but keep the new name: half a file after all.
-  if (error_ == 0 && unfinished_ && fsync(fileno(file_.get())) != 0) error_ = errno;
+  if (error_ == 0 && !part_.empty() && fsync(fileno(file_.get())) != 0) error_ = errno;
   if (std::fclose(file_.release()) != 0 && error_ == 0) error_ = errno;
   if (error_ != 0) refuse_to_write(path_, error_);
-  try {
-    if (unfinished_) unfinished_->rename_to(target_);
-  } catch (const std::system_error& failure) {
-    refuse_to_write(path_, failure.code().value());
-  }
+  if (part_.empty()) return;
+  if (std::rename(part_.c_str(), target_.c_str()) != 0) refuse_to_write(path_, errno);
+  part_.clear();
 }
 
 void require_writable(const fs::path& path) {

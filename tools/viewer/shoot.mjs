@@ -1,4 +1,5 @@
 // Takes a picture of a page after pressing keys: node shoot.mjs PAGE.html OUT.png [WIDTHxHEIGHT] [dark|light] [KEY...]
+// With the key k the picture is that which the page saves: the drawing alone.
 import { resolve } from "node:path";
 import { chromium } from "playwright-core";
 
@@ -12,12 +13,18 @@ const tab = await browser.newPage({ viewport: { width, height }, colorScheme, re
 const [file, hash = ""] = page.split("#");
 await tab.goto(`file://${resolve(file)}${hash && `#${hash}`}`);
 await tab.waitForFunction(() => window.tamis);
-for (const key of keys) {
+for (const key of keys.filter((each) => each !== "k")) {
   await tab.keyboard.press(key);
   await tab.waitForTimeout(300);
 }
 // Hides the message at the start, which would cover the picture.
 await tab.waitForTimeout(1000);
 await tab.evaluate(() => document.getElementById("toast").remove());
-await tab.screenshot({ path: out });
+if (keys.includes("k")) {
+  const saved = tab.waitForEvent("download");
+  await tab.keyboard.press("k");
+  await (await saved).saveAs(out);
+} else {
+  await tab.screenshot({ path: out });
+}
 await browser.close();

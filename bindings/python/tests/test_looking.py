@@ -197,7 +197,7 @@ def test_what_knows_no_step_says_so(falling: tamis.Scene, tmp_path: pathlib.Path
     for name, said in (("page.txt", "end in .html"), ("picture.png", "end in .html")):
         with pytest.raises(tamis.Error, match=said):
             contacts.view(tmp_path / name)
-    with pytest.raises(tamis.Error, match="drawn by the command"):
+    with pytest.raises(tamis.Error, match="saved from the page"):
         contacts.save(tmp_path / "picture.png")
     with pytest.raises(tamis.FileError):
         contacts.view(tmp_path / "absent" / "page.html")

@@ -62,13 +62,13 @@ def test_the_command_comes_along(tmp_path: pathlib.Path) -> None:
     scene = tamis.scene("soup", 100)
     for name, positions in (("start", scene.start), ("end", scene.end)):
         tamis.write_mesh(tmp_path / f"{name}.ply", positions, scene.mesh.faces)
-    for out in ("contacts.csv", "picture.png"):
+    for out in ("contacts.csv", "page.html"):
         words = [str(command), "contacts", "start.ply", "end.ply", "--out", out]
         asked = subprocess.run(words, env=environment, cwd=tmp_path, capture_output=True, text=True)
         assert asked.returncode in (0, 1) and not asked.stderr, asked.stderr
     rows = (tmp_path / "contacts.csv").read_text().splitlines()
     found = tamis.Detector(scene.mesh).contacts(scene.start, scene.end)
-    assert len(rows) == 1 + len(found) > 10 and (tmp_path / "picture.png").stat().st_size > 1000
+    assert len(rows) == 1 + len(found) > 10 and (tmp_path / "page.html").stat().st_size > 1000
 
 
 def test_the_examples_come_along() -> None:

@@ -53,10 +53,10 @@ RoundedTransform rounded_link(const RigidLink& link, double time) {
   return result;
 }
 
-/// The transform that applies `inner`, then `outer`. Errors are norms, of matrices and of vectors, so that they add up:
-/// for rotations A', B' and their doubles A, B, off by a and b, |A'B' - AB| <= a + b + a b and |A'p' + q' - Ap - q| <=
-/// a |p| + |p' - p| + |q' - q|. Each entry of the product rounds by 3 u |row| |column|, all nine by a little over 9 u;
-/// 16 u are given. The entries of the shift round by 4 u (|p|_1 + |q|) each, all by sqrt(3) of that; 8 u are given.
+/// The transform that applies `inner`, then `outer`. Errors are norms of matrices and of vectors, so they add up. For
+/// rotations A', B' and their doubles A, B, off by a and b: |A'B' - AB| <= a + b + a b and |A'p' + q' - Ap - q| <= a
+/// |p| + |p' - p| + |q' - q|. Each entry of the product rounds by 3 u |row| |column|, all nine by a little over 9 u; 16
+/// u are given. The entries of the shift round by 4 u (|p|_1 + |q|) each, all by sqrt(3) of that; 8 u are given.
 RoundedTransform after(const RoundedTransform& outer, const RoundedTransform& inner) {
   RoundedTransform both{};
   for (std::size_t i = 0; i < 3; ++i)
@@ -134,9 +134,9 @@ ChainBounds::ChainBounds(const RigidChain& chain)
                       Interval(farthest(start.position, end.position))});
 }
 
-/// From the innermost link outward, bounds y and its derivatives, where a link takes x, the point that the inner links
-/// leave, to y = R x + p. With |R'| <= w and |R''| <= w^2 for a rotation vector that changes by w
-/// (docs/numerics/curves.md, "Curved motion"):
+/// Bounds y and its derivatives, from the innermost link outward. A link takes x, the point that the inner links leave,
+/// to y = R x + p. With |R'| <= w and |R''| <= w^2 for a rotation vector that changes by w (docs/numerics/curves.md,
+/// "Curved motion"):
 ///   y' = R' x + R x' + p',   y'' = R'' x + 2 R' x' + R x''.
 Curvature ChainBounds::of(double from_origin, double displacement) const {
   Interval place(from_origin), speed(displacement), acceleration(0);

@@ -37,8 +37,8 @@ inline RoundedPlace rounded_linear(const Point& a, const Point& b, double time) 
 /// |x|_1.
 inline double sum_of_sizes(const Point& x) { return std::fabs(x[0]) + std::fabs(x[1]) + std::fabs(x[2]); }
 
-/// x goes to rows x + shift, in doubles. Entries of the matrix are off by at most `turn_error`, a number; those of the
-/// shift, of which `shift_size` is the largest, by `shift_error`, a length.
+/// x goes to rows x + shift, in doubles. Entries of the matrix are off by at most `turn_error`, a number. Entries of
+/// the shift are at most `shift_size` and off by at most `shift_error`, lengths.
 struct RoundedTransform {
   std::array<Point, 3> rows;
   Point shift;
@@ -84,12 +84,12 @@ inline RigidChain without(const RigidChain& chain, std::size_t links) {
 /// turns are exactly parallel to it. Zeros if they are not parallel, or if no link turns.
 Point fixed_axis(const RigidChain& chain);
 
-/// Bounds of what a chain does to the points of a body.
+/// Bounds on how a chain moves the points of a body.
 class ChainBounds {
  public:
   explicit ChainBounds(const RigidChain& chain);
 
-  /// Bounds for a point no farther than `from_origin` from the origin of its body's frame, in which it moves by
+  /// Bounds for a point no farther than `from_origin` from the origin of its body's frame. In that frame it moves by
   /// `displacement`. Linear in `from_origin`, but for rounding.
   Curvature of(double from_origin, double displacement) const;
   /// Does any link turn? If not, points go straight.

@@ -7,7 +7,7 @@
 
 namespace tamis {
 
-/// What the deviation on a piece of this length is to the acceleration.
+/// The deviation on a piece of this length, over the acceleration.
 inline Interval chord_factor(const Interval& length) { return Interval(0.125) * length * length; }
 
 /// Bounds of how far one point's curve bends.

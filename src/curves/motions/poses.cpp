@@ -136,8 +136,8 @@ Pose pose_at(const RigidChain& chain, double time) {
 }
 
 /// With H half the angle of the turn, the blend q goes straight from (1, 0) to (cos H, sin H). Its angle h has the rate
-/// h' = sin H / |q|^2, so that |h''| <= M = 4 sin H sin^2(H/2) / cos^4(H/2). h - t H is zero at 0, 1/2 and 1, so at
-/// most M / 32; the turn differs by twice that. The factor 1 + 2^-20 is far above all rounding.
+/// h' = sin H / |q|^2, so that |h''| <= M = 4 sin H sin^2(H/2) / cos^4(H/2). h - t H is zero at 0, 1/2 and 1, so it is
+/// at most M / 32. The turn differs by twice as much. The factor 1 + 2^-20 is far above all rounding.
 double nlerp_deviation(const Pose& start, const Pose& end) {
   const ComputingState state;
   require_finite(start, end);

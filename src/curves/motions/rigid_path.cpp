@@ -70,7 +70,7 @@ Index RigidPath::vertex_count() const { return static_cast<Index>(motion_->rest.
 
 namespace {
 
-/// Calls f(i, v) for each place i in `vertices` and the vertex v there; before, whenever the body changes, begin(body).
+/// Calls f(i, v) for each place i in `vertices` and the vertex v there. Before, whenever the body changes, begin(body).
 template <class Begin, class F>
 void for_each_of_body(std::span<const Index> vertices, const std::vector<Index>& body_of_vertex, const Begin& begin,
                       const F& f) {

@@ -1,6 +1,6 @@
-// Rotations: R = cos 1 + a [w]x + b w w^T for a rotation vector w of length phi, with a = sin phi / phi and
-// b = (1 - cos phi) / phi^2, which are smooth at zero (Rodrigues). Here enclosed by intervals of double-double; in
-// doubles: curves/motions/rounded_rotation.hpp.
+// Rotations (Rodrigues): R = cos 1 + a [w]x + b w w^T for a rotation vector w of length phi. a = sin phi / phi and b =
+// (1 - cos phi) / phi^2 are smooth at zero. Here intervals of double-double enclose them;
+// curves/motions/rounded_rotation.hpp computes in doubles.
 #pragma once
 #include <array>
 
@@ -15,7 +15,7 @@ struct CosineSinc {
   T cosine, sinc;
 };
 
-/// The rows of R, from those of half the angle.
+/// The rows of R, from the rows for half the angle.
 template <class T>
 std::array<Vec3<T>, 3> rows_of(const Vec3<T>& w, const CosineSinc<T>& half) {
   const T a = half.sinc * half.cosine, b = T(0.5) * half.sinc * half.sinc;
@@ -26,7 +26,7 @@ std::array<Vec3<T>, 3> rows_of(const Vec3<T>& w, const CosineSinc<T>& half) {
            {xz - a * w.y, yz + a * w.x, one - (xx + yy)}}};
 }
 
-/// From the square of phi, in [0, 1], by the alternating series. Its terms fall, so that the rest after any term lies
+/// From the square of phi, in [0, 1], by the alternating series. Its terms fall, so the rest after any term lies
 /// between 0 and the next term. No promise of a library's sine is needed.
 inline CosineSinc<FineInterval> small_angle(const FineInterval& square) {
   constexpr int kTerms = 16;  // 32! > 2^117

@@ -14,9 +14,9 @@ struct RoundedRotation {
 /// In radians. A larger angle would need cosine and sine of a small angle doubled twice, and each doubling loses bits.
 inline constexpr double kLargestRoundedAngle = 4;
 
-/// The rotation by `rotation` (its direction the axis, its length the angle), and a bound of its distance from the
-/// rotation by the true vector, which is no farther than `off` from that one. Proof: docs/numerics/curves.md, "Sine and
-/// cosine". REQUIRES: `rotation` is no longer than kLargestRoundedAngle, but for rounding.
+/// The rotation by the vector `rotation`: its direction is the axis, its length the angle. With a bound of its distance
+/// from the rotation by the true vector, which is at most `off` from `rotation`. Proof: docs/numerics/curves.md, "Sine
+/// and cosine". REQUIRES: `rotation` is no longer than kLargestRoundedAngle, but for rounding.
 RoundedRotation rounded_rotation(const Point& rotation, double off);
 
 }  // namespace tamis

@@ -80,8 +80,8 @@ void SplinePath::points_at(double time, std::span<const Index> vertices, std::sp
     rounded.push_back(rounded_number(w));
     error = std::max(error, rounded.back().error);
   }
-  // Each product rounds once and each of as many sums once: (n + 1) u of the sum of absolute values; given 2 (n + 1) u,
-  // which covers this bound's own rounding.
+  // Each product rounds once, and each of as many sums: (n + 1) u of the sum of absolute values. 2 (n + 1) u covers
+  // this bound's own rounding as well.
   const double each = static_cast<double>(rounded.size() + 1) * 0x1p-52;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto v = at(vertices[i]);
@@ -140,7 +140,7 @@ BezierPath::BezierPath(std::vector<std::vector<Point>> control_points) : SplineP
   add_piece(std::move(acceleration));
 }
 
-/// De Casteljau's weights: those of degree n from those of n - 1.
+/// De Casteljau: the weights of degree n from the weights of degree n - 1.
 SplinePath::Weights BezierPath::weights_at(double time) const {
   const FineInterval t = fine(time), s = fine(1) - t;
   Weights weights{0, {fine(1)}};

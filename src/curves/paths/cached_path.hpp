@@ -1,5 +1,5 @@
-// A caller's path with a cache of positions: pairs that are cut at the same times share the cost of the positions
-// there, such as that of the poses of turning bodies.
+// A caller's path with a cache of positions. Pairs that are cut at the same times share the cost of these positions,
+// such as the poses of turning bodies.
 #pragma once
 #include <vector>
 
@@ -13,7 +13,7 @@ namespace tamis {
 /// (search/query/isolated.hpp). Positions are the path's own, bit for bit.
 class CachedPath final : public Path {
  public:
-  /// Keeps references. `used`: the vertices to cache, ascending; others may be asked for, too.
+  /// Keeps references. `used`: the vertices to cache, ascending; others may be requested, too.
   CachedPath(const Path& path, const std::vector<Index>& used) : path_(path), used_(used) {}
 
   Index vertex_count() const override { return path_.vertex_count(); }
@@ -38,10 +38,10 @@ class CachedPath final : public Path {
  private:
   static constexpr std::size_t kMostTimesCached = 32, kMostTimesSeen = 32;
 
-  /// The used vertices at a time, cached when the time is asked for a second time. Null the first time, or if the cache
-  /// is full.
+  /// The used vertices at a time, cached when the time is requested for the second time. Null the first time, or if the
+  /// cache is full.
   const MeshMoment* cached_at(double time) const;
-  /// Is the time among the last kMostTimesSeen that were asked for? If not, remembers it.
+  /// True if the time is among the last kMostTimesSeen requested. If not, stores it.
   bool was_seen(double time) const;
   /// Copies positions from the cache; returns false if a vertex is not among the used ones.
   bool copy(const MeshMoment& from, std::span<const Index> vertices, std::span<Point> points,
@@ -50,7 +50,7 @@ class CachedPath final : public Path {
   const Path& path_;
   const std::vector<Index>& used_;
   mutable std::vector<MeshMoment> cached_;  ///< each of the used vertices, in their order
-  mutable std::vector<double> seen_;        ///< the last times asked for; most are asked for only once
+  mutable std::vector<double> seen_;        ///< the last times requested; most are requested only once
   mutable std::size_t oldest_ = 0;          ///< place in seen_ of the oldest time, modulo kMostTimesSeen
 };
 

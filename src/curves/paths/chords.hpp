@@ -29,8 +29,9 @@ class Chords {
   /// The same vectors without the deviations: they enclose the pair at both ends, but not between.
   PairMotion<I> at_ends() const { return motion(Deviations{}); }
 
-  /// Is the pair proven farther apart than the separation: along an axis that turns linearly from the gap of the
-  /// closest points at one end to that at the other, or along a direction in which a vertex does not deviate?
+  /// True if the pair is proven farther apart than the separation. Tries an axis that turns linearly from the gap of
+  /// the closest points at one end to the gap at the other end. Then tries a direction along which a vertex does not
+  /// deviate.
   bool axis_proves_free(const PairMotion<I>& ends, double separation = 0) const {
     const Vec3<I> n0 = gap(ends.e.at0, ends.f.at0, ends.d.at0), n1 = gap(ends.e.at1, ends.f.at1, ends.d.at1);
     if (axes_prove_free(axis(n0), axis(n1), separation)) return true;

@@ -93,7 +93,7 @@ class PathSolver {
     return start.axis_proves_free(ends) || filters_prove_free(ends);
   }
 
-  /// Halves [from, to] until its first part is no longer than kShortest, or no double lies within; the end of that
+  /// Halves [from, to] until its first part is no longer than kShortest, or no double lies within. The end of that
   /// part.
   static double end_of_shortest(double from, double to) {
     while (to - from > kShortest<T>) {
@@ -133,7 +133,7 @@ class PathSolver {
     return true;
   }
 
-  /// Decides a part that this arithmetic gains nothing from cutting: doubles ask double-double, whose answer is final.
+  /// Decides a part that this arithmetic gains nothing from cutting: doubles call double-double, whose answer is final.
   std::optional<Decision> decided_further(const PathPart<T>& part, const PairMotion<BasicInterval<T>>& widened,
                                           bool crosses) {
     if constexpr (std::is_same_v<T, double>) {

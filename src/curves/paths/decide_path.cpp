@@ -23,7 +23,7 @@ int side_at(PairKind kind, const PairReader& reader, const Moment<double>& momen
   });
 }
 
-/// The place on the chords between the bracket's ends; the side on which the pair begins comes from the path itself.
+/// The place on the chords between the bracket's ends. The side on which the pair begins comes from the path itself.
 ContactPlace place_on_path(const PathQuestion& question, const Decision& decision) {
   const PairKind kind = question.kind;
   const PairReader reader(question.path, question.vertices, decision.lower);

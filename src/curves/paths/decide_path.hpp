@@ -1,5 +1,5 @@
-// The decision on one pair that moves on curves: cut in time, earliest part first, until each part is proven free,
-// holds a certified crossing in a narrow bracket, or is too short for the arithmetic, which is doubles, then
+// The decision on one pair that moves on curves. The time is cut, earliest part first, until each part is proven free,
+// holds a certified crossing in a narrow bracket, or is too short for the arithmetic. The arithmetic is doubles, then
 // double-double.
 #pragma once
 #include <optional>

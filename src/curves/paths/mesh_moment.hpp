@@ -14,7 +14,7 @@
 
 namespace tamis {
 
-/// Positions and their errors at one time, by vertex. Entries of vertices that were not asked for mean nothing.
+/// Positions and their errors at one time, by vertex. Entries of vertices that were not requested mean nothing.
 struct MeshMoment {
   double time = 0;
   std::vector<Point> points;

@@ -29,13 +29,13 @@ struct ShiftedChords {
 /// The pieces of one question. Throws InvalidPath if the path breaks its promises.
 class MeshPieces {
  public:
-  /// Keeps references. `ends`: of the pieces, ascending, the last one 1; if empty, deviations determine them, beside
+  /// Keeps references. `ends`: of the pieces, ascending, the last one 1. If empty, deviations determine them, beside
   /// edges and `separation`.
   MeshPieces(const Mesh& mesh, const Path& path, std::span<const double> ends, double separation);
 
   MeshMoment moment_at(double time) const;
-  /// Returns the end of the piece that begins at `from`, and sets chords() to those of this piece. Checks the path's
-  /// bounds in the middle of the piece.
+  /// Returns the end of the piece that begins at `from`, and sets chords() for this piece. Checks the path's bounds in
+  /// the middle of the piece.
   MeshMoment next(const MeshMoment& from);
   const ShiftedChords& chords() const { return chords_; }
   /// Adapts the length of the next piece to the number of pairs that the last one left undecided.
@@ -47,7 +47,7 @@ class MeshPieces {
  private:
   /// The path's deviations between two times, checked.
   std::vector<double> deviations(double from, double to) const;
-  /// Of each vertex the larger of its deviations on both halves; infinite if no double lies between `from` and `to`.
+  /// Of each vertex the larger of its deviations on both halves. Infinite if no double lies between `from` and `to`.
   std::vector<double> half_deviations(double from, double middle, double to) const;
   double end_of(const MeshMoment& start) const;
   /// The vector from the chord's middle to the path's position there; off by at most `error`.

@@ -1,5 +1,6 @@
-// The pairs that may touch on a piece of a path are tested again on its halves, the earlier first, and on halves of
-// these: chords of shorter parts deviate less, and lanes test hundreds of pairs while one is decided on its curves.
+// The pairs that may touch on a piece of a path are tested again on its halves, the earlier first, then on halves of
+// these. Chords of shorter parts deviate less. Lanes test hundreds of pairs in the time that one decision on curves
+// takes.
 #pragma once
 #include <tbb/enumerable_thread_specific.h>
 
@@ -50,7 +51,7 @@ class PairsOnParts {
     std::array<SolvedPair, PairBuffer::kCapacity> solved;
   };
 
-  /// `from` and `to` are moments of `vertices`, which hold those of these pairs, and maybe others.
+  /// `from` and `to` are moments of `vertices`, which hold the vertices of these pairs, and maybe others.
   Part part_of(const std::vector<Index>& vertices, const MeshMoment& from, const MeshMoment& to,
                std::vector<std::int32_t> pairs, int halvings);
   void halve(const Part& part);
@@ -63,7 +64,7 @@ class PairsOnParts {
   std::vector<Part> parts_;  ///< the earliest last
   std::size_t tests_left_ = 0;
   std::vector<char> is_given_, may_touch_;  ///< of each pair of the piece
-  std::vector<Index> place_;                ///< of each vertex of the mesh among those of a part
+  std::vector<Index> place_;                ///< of each vertex of the mesh among the vertices of a part
   std::vector<PackedVertex> vertices_;      ///< of a half; entries behind these are leftovers of other parts
   /// Pointers, since TBB fills the memory of its elements with zeros.
   tbb::enumerable_thread_specific<std::unique_ptr<Scratch>> scratch_{

@@ -12,7 +12,7 @@
 namespace tamis {
 namespace {
 
-/// Completes a moment of which only the first `count` points are set.
+/// Completes a moment whose first `count` points are set.
 template <class T>
 Moment<T> completed(Moment<T> moment, std::size_t count) {
   using I = BasicInterval<T>;

@@ -25,11 +25,11 @@ struct Moment {
 /// The middles of the intervals at two moments; finite even where an error is not.
 PairPoints points_between(const Moment<double>& from, const Moment<double>& to);
 
-/// A bound of the difference between the distance of two points, one of each feature, and that of their intervals'
-/// middles: sqrt(3) half widths for each point, doubled because middles are rounded. `error`: Moment::error.
+/// Takes two points, one of each feature. Bounds the difference between their distance and the distance of their
+/// intervals' middles: sqrt(3) half widths for each point, doubled because middles are rounded. `error`: Moment::error.
 inline double position_slack(double error) { return 4 * error + 0x1p-999; }
 
-/// A direction along which a vertex goes straight, and 1 / its length, rounded up; zeros if none is known.
+/// A direction along which a vertex goes straight, and 1 / its length, rounded up. Zeros if none is known.
 struct StraightDirection {
   Vec3<double> direction{0, 0, 0};
   double per_length = 0;
@@ -52,7 +52,7 @@ class PairReader {
   /// Calls the path's points_at for T = double, fine_points_at for DoubleDouble.
   template <class T>
   Moment<T> at(double time) const;
-  /// Those of each vertex on [from, to], scaled.
+  /// The deviations of each vertex on [from, to], scaled.
   std::array<double, 4> deviations(double from, double to) const;
 
  private:

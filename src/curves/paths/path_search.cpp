@@ -129,7 +129,7 @@ void PathSearch::search_chords(const MeshMoment& from, const MeshMoment& to) {
   pieces_.adapt_length(candidates_.contacts().size());
 }
 
-/// Chords that come near later than a time of the piece may be left out where their curves may be left out then.
+/// Chords that come near after a time of the piece may be skipped where their curves may be skipped after it.
 void PathSearch::begin_bound_on_piece(const TimeInterval<double>& piece) {
   bound_on_piece_.begin(1, query_.answers());
   for (std::size_t answer = 0; answer < query_.answers(); ++answer) {
@@ -148,7 +148,7 @@ void PathSearch::decide_all(const MeshMoment& from, const MeshMoment& to) {
   std::sort(pairs.begin(), pairs.end(), pausing(is_earlier, pause));
   parts_.begin({asked_.path, searched_, pairs, from, to, query_.is_cancelled});
   const TimeInterval<double> piece{from.time, to.time};
-  // Pairs ascend by these times, so that an early contact spares later ones.
+  // Pairs ascend by these times, so an early contact spares later ones.
   const auto is_wanted = [&](std::int32_t place) {
     const Contact& pair = pairs[at(place)];
     return wants(pair, piece.t_in + pair.toi_lower * (piece.t_out - piece.t_in) / kBeyondRounding);
@@ -205,7 +205,8 @@ void PathSearch::decide(const TimeInterval<double>& piece, std::span<const std::
     in_contact_until_.erase(key_of(pair));
     contacts_.push_back(contact_of(pair.kind, pair.vertices, r));
     if (query_.question == Question::is_free) bound_.settle();
-    // Certified brackets are no wider than the tolerance: that of a pair that touches later yet begins later than this.
+    // Certified brackets are no wider than the tolerance. The bracket of a pair that touches later begins later than
+    // this.
     if (query_.question == Question::earliest)
       bound_.lower(r.toi_upper + asked_.tolerance, query_.answer_of(pair.kind, pair.vertices));
   }

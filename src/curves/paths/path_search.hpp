@@ -1,5 +1,5 @@
-// Answers questions about a mesh on a path. Piece by piece it asks a linear question in which deviations are added to
-// the vertices' radii, and decides each pair that the linear question leaves on its curves.
+// Answers questions about a mesh on a path. Each piece becomes a linear query with deviations added to the vertices'
+// radii. Each pair that the linear query cannot prove free is decided on its curves.
 #pragma once
 #include <map>
 #include <set>
@@ -33,18 +33,18 @@ class PathSearch {
   /// Keeps references. REQUIRES (not checked: O(n)): finite radii >= 0.
   PathSearch(const Mesh& mesh, const MeshOnPath& asked, Engine& engine, const Kernels& kernels, Statistics& statistics);
 
-  /// Every pair that touches, once, in no order. For `is_free` the search ends soon after the first; for `earliest`,
+  /// Every pair that touches, once, in no order. For `is_free` the search ends soon after the first. For `earliest`,
   /// too, or with Query::each_of these are the first contacts of the pairs of bodies.
   std::vector<Contact> find();
-  /// The fraction of the path that all vertices may go so that every pair keeps its part of its clearance. REQUIRES:
-  /// the query asks for `earliest`.
+  /// The fraction of the path that all vertices may go so every pair keeps its part of its clearance. REQUIRES: an
+  /// `earliest` query.
   SafeStep find_step_length();
 
  private:
   using PairKey = std::tuple<PairKind, PairVertices>;
   static PairKey key_of(const Contact& pair) { return {pair.kind, pair.vertices}; }
 
-  /// For each vertex the distance around it in which pairs are searched on a piece that ends at `to`, beyond the fixed
+  /// For each vertex: the distance within which pairs are searched on a piece that ends at `to`, beyond the fixed
   /// separation.
   std::vector<double> radii_to_search(const MeshMoment& to) const;
   /// Leaves in candidates_ the pairs whose chords come within searched_ on a piece.
@@ -66,7 +66,7 @@ class PathSearch {
 
   const Mesh& mesh_;
   const MeshOnPath& asked_;
-  const Query& query_;  ///< that of asked_
+  const Query& query_;  ///< the query of asked_
   Engine& engine_;
   Statistics& statistics_;
   MeshPieces pieces_;
@@ -78,11 +78,10 @@ class PathSearch {
   ContactCollector candidates_;
   PairsOnParts parts_;  ///< of the candidates
   std::vector<Contact> contacts_;
-  /// Pairs that later pieces need not ask about: those among the contacts, and those that do not move relative to each
-  /// other.
+  /// Pairs that later pieces skip: the contacts, and pairs that do not move relative to each other.
   std::set<PairKey> settled_;
-  /// Ignored pairs, which touch at the start, each with a time until which it is not known to have been apart: the end
-  /// of a piece, or the start of the piece in which it came apart. Removed when the pair touches again.
+  /// Ignored pairs, which touch at the start. Each has a time until which it is not known to have been apart: the end
+  /// of a piece, or the start of the piece where it separated. Removed when the pair touches again.
   std::map<PairKey, double> in_contact_until_;
 };
 

@@ -44,7 +44,7 @@ struct Side {
            time.sign_of(dot) <= 0;
   }
 
-  /// A polynomial that vanishes when the side begins or ceases to hold the origin; zero only if the side always does.
+  /// A polynomial that vanishes when the side begins or ceases to hold the origin. Zero only if the side always does.
   const IntegerPolynomial& event() const {
     for (const auto& c : cross)
       if (!c.is_zero()) return c;
@@ -61,7 +61,7 @@ class MovingPolygonTest {
         coplanarity_(IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon.corner(0), normal_))) {}
 
   /// Adds the times of touching at which a span of touching may begin or end: those at which the origin comes into the
-  /// polygon's plane or out of it; where it is always in that plane, those at which it passes through a side.
+  /// polygon's plane or out of it. Where it is always in that plane, those at which it passes through a side.
   void add_times(TouchingTimes& times) const {
     if (!coplanarity_.is_zero())
       return times.add_roots(coplanarity_, [&](AlgebraicTime& time) { return contains_origin(time); });
@@ -135,8 +135,8 @@ Decision decide_recontact_exactly(PairKind kind, const PairPoints& points, doubl
 
 int side_just_before(PairKind kind, const PairPoints& points, double time) {
   TAMIS_ASSERT(can_cross(kind) && is_finite(points) && 0 <= time && time <= 1);
-  // The first feature's place along e x f is that of corner 0 along the polygon's normal, for both kinds: of edges the
-  // normal is -(e x f), and the corners lead from the first edge to the second.
+  // For both kinds the first feature's place along e x f is the place of corner 0 along the polygon's normal. For edges
+  // the normal is -(e x f), and the corners lead from the first edge to the second.
   const MovingPolygon polygon = stretched_polygon(kind, points);
   auto k = IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon.corner(0), normal_polynomial(polygon)));
   AlgebraicTime now = AlgebraicTime::exactly(shortest_cell_at(time));

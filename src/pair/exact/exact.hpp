@@ -6,7 +6,7 @@
 
 namespace tamis {
 
-/// Finds the first t in [0,1] at which the distance of the two closed features is at most `separation`; if that is
+/// Finds the first t in [0,1] at which the distance of the two closed features is at most `separation`. If that is
 /// zero, at which they share a point. All degeneracies are decided: the answer is never unsure, and the ends of its
 /// bracket are equal, or neighbouring doubles. A pair that is free until `latest` may be said to be free. REQUIRES:
 /// finite coordinates, a finite separation >= 0, `latest` in [0,1].
@@ -16,7 +16,7 @@ Decision decide_exactly(PairKind kind, const PairPoints& points, double separati
 Decision decide_recontact_exactly(PairKind kind, const PairPoints& points, double separation = 0);
 
 /// The side of the second feature on which the first one is: the sign of its place along e x f
-/// (pair/motion/pair_motion.hpp) at `time`, or just before it if the four points are coplanar at `time`; at t=0 the
+/// (pair/motion/pair_motion.hpp) at `time`, or just before it if the four points are coplanar at `time`. At t=0 the
 /// motion is continued backwards. 0: they are coplanar throughout. REQUIRES: finite coordinates, `time` in [0,1], a
 /// kind that can cross.
 int side_just_before(PairKind kind, const PairPoints& points, double time);

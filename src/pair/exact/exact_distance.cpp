@@ -36,7 +36,7 @@ class Description {
   using Vector = Vec3<Number>;
 
  public:
-  /// `polygon`: at the time in question; `points`: the motion, which gives the direction where there is no gap.
+  /// `polygon`: at the time in question; `points`: the motion, which gives the direction where the gap is zero.
   Description(PairKind kind, const Polygon<Length>& polygon, const PairPoints& points)
       : kind_(kind),
         polygon_(polygon),
@@ -56,7 +56,7 @@ class Description {
   static constexpr bool kIsInteger = std::is_same_v<Number, Integer>;
 
   Vector corner(std::size_t i) const { return as<Number>(polygon_.corner(i)); }
-  /// Of corner i; asked for only where there is no gap.
+  /// Of corner i. Called only where the gap is zero.
   const Vector& velocity(std::size_t i) {
     if (!velocities_) velocities_ = corner_velocities<Number>(kind_, points_);
     return velocities_->corner(i);
@@ -99,8 +99,8 @@ class Description {
     return along.below * i + along.above * (j - i);
   }
 
-  /// The gap's direction; where there is no gap, the direction in which it vanished: against its velocity, less the
-  /// part along the side (at a corner the whole velocity counts).
+  /// The gap's direction. If the gap is zero: the direction of its vanishing, against its velocity, less the part along
+  /// the side (at a corner the whole velocity counts).
   Vec3<double> direction_on_side() {
     const std::size_t i = nearest_.side, j = i + 1;
     const Fraction<Number>& along = nearest_.along;

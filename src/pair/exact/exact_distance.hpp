@@ -6,8 +6,8 @@
 
 namespace tamis {
 
-/// As in NearPair, each off by a few u of itself; `direction` is along the gap (pair/distance/closest.hpp). Of features
-/// that touch it is the direction in which they came together; if they did not move, their normal, or zero without one.
+/// As in NearPair, each off by a few u of itself; `direction` is along the gap (pair/distance/closest.hpp). If features
+/// touch, it is the direction of their approach. If they did not move, their normal, or zero without one.
 struct ExactDistance {
   double distance, u, v;
   Vec3<double> direction;
@@ -16,8 +16,8 @@ struct ExactDistance {
 /// REQUIRES, all: finite coordinates, `time` in [0,1].
 ExactDistance exact_distance(PairKind kind, const PairPoints& points, double time = 0);
 
-/// The two halves of exact_distance(). Words and estimates serve t=0 alone, and tell nothing where a sign is not
-/// certain: later times make long integers, and where most of their digits cancel estimates rarely know the rest.
+/// The two halves of exact_distance(). Words and estimates serve t=0 alone, and give nothing where a sign is not
+/// certain. Later times make long integers. Where most of their digits cancel, estimates rarely know the rest.
 std::optional<ExactDistance> estimated_distance(PairKind kind, const PairPoints& points);
 ExactDistance distance_in_integers(PairKind kind, const PairPoints& points, double time);
 

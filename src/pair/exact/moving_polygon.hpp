@@ -57,7 +57,7 @@ MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points);
 /// The polygon at `time` of the step, the lower end of that cell. REQUIRES (not checked: exact): `time` is in [0,1].
 Polygon<Integer> polygon_at(const MovingPolygon& polygon, const DyadicCell& time);
 
-/// The normal of the polygon's plane, as pair/motion/polynomials.hpp has it; zero if there are less than three corners.
+/// The normal of the polygon's plane, as pair/motion/polynomials.hpp has it. Zero if there are less than three corners.
 inline std::array<Vec3<Integer>, 3> normal_polynomial(const MovingPolygon& polygon) {
   const Moving<Integer>& first = polygon.corner(0);
   return normal_polynomial(polygon.corner(1) - first, polygon.corner(polygon.corner_count - 1) - first);

@@ -1,5 +1,5 @@
-// The point of the difference polygon nearest to the origin: in integers, or in words or estimates, which serve as long
-// as they know every sign that is asked for.
+// The point of the difference polygon nearest to the origin: in integers, or in words or estimates, as long as they
+// know every sign that is needed.
 #pragma once
 #include <array>
 #include <type_traits>
@@ -38,7 +38,7 @@ struct NearestPoint {
     Number square;  ///< of the normal
     Number height;  ///< of the plane along the normal, times the normal's length; only if is_inside
     /// For each side, times the normal's square: the share of the polygon's parallelogram that lies between the side
-    /// and the foot of the perpendicular; negative where the foot is beyond the side.
+    /// and the foot of the perpendicular. Negative where the foot is beyond the side.
     std::array<Number, 4> within;
   };
 
@@ -58,9 +58,10 @@ bool has_sign(const Number& x) {
     return true;
 }
 
-/// Takes the foot of the perpendicular if it lies inside, else the nearest point on the sides that part the two; in any
+/// Takes the foot of the perpendicular if it lies inside, else the nearest point on the sides that part the two. In any
 /// case a side that holds the origin. No other side is nearer: as seen from the nearest point of a convex polygon, the
-/// foot lies along the outward normal of a side, or between those of two sides that meet, and so beyond one of them.
+/// foot lies along the outward normal of a side, or between the normals of two sides that meet, and so beyond one of
+/// them.
 template <class Length>
 class NearestPointSearch {
   using Area = AreaOf<Length>;

@@ -19,7 +19,7 @@ struct RootCell {
   bool may_start_with_root;
 };
 
-/// That of 2^bits cells of [0,1] which may hold `roots` roots, by a step of Newton's method from the end 0 or 1.
+/// The one of 2^bits cells of [0,1] that may hold `roots` roots, by a step of Newton's method from the end 0 or 1.
 DyadicCell cell_of_roots(const IntegerPolynomial& local, int roots, int end, unsigned long bits) {
   const Integer value = local.scaled_value({end, 0}), slope = local.derivative().scaled_value({end, 0});
   const Integer last = (Integer(1) << bits) - 1;
@@ -30,8 +30,8 @@ DyadicCell cell_of_roots(const IntegerPolynomial& local, int roots, int end, uns
 }
 
 /// Halves the cell, which soon tells ordinary roots apart. After kHalvings, roots that are still together are first
-/// sought where Newton's method puts them, in one of 2^bits smaller cells (Sagraloff, Mehlhorn 2016): if that cell
-/// has all the variations, the rest of this one has none, and so no root; the next try is among twice as many bits.
+/// sought where Newton's method puts them, in one of 2^bits smaller cells (Sagraloff, Mehlhorn 2016). If that cell has
+/// all the variations, the rest of this one has none, and so no root. The next try is among twice as many bits.
 void divide_cell(const RootCell& part, int variations, std::vector<RootCell>& parts) {
   constexpr int kHalvings = 3;
   const auto& [cell, local, depth, bits, is_right] = part;
@@ -57,7 +57,7 @@ DyadicCell cell_until(double latest) {
 
 }  // namespace
 
-/// Finds the roots from left to right, by a list of cells in place of recursion: exponents make cells thousands of
+/// Finds the roots from left to right, by a list of cells instead of recursion: exponents make cells thousands of
 /// halvings deep.
 std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p, double latest) {
   TAMIS_ASSERT(!p.is_zero() && 0 <= latest && latest <= 1);

@@ -7,8 +7,8 @@
 
 namespace tamis {
 
-/// The roots of `p` in [0,1], ends included, distinct and ascending. Roots after `latest` may be left out; those after
-/// the next power of two are. REQUIRES: `p` is not zero; 0 <= latest <= 1.
+/// The roots of `p` in [0,1], ends included, distinct and ascending. Roots after `latest` may be skipped. Roots after
+/// the next power of two are skipped. REQUIRES: `p` is not zero; 0 <= latest <= 1.
 std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p, double latest = 1);
 
 }  // namespace tamis

@@ -12,9 +12,9 @@ bool is_within(const Polygon<Integer>& polygon, double separation);
 /// plain. REQUIRES: finite coordinates, a finite separation >= 0.
 bool starts_within(PairKind kind, const PairPoints& points, double separation);
 
-/// 0 if at t=0 the features are within `separation` of each other; else a time > 0 (unless it underflows) before which
-/// they are not: their distance less `separation`, over a bound of their relative speed; infinite if neither moves
-/// against the other. Which of these it is is decided exactly. REQUIRES: finite coordinates, a finite separation >= 0.
+/// 0 if at t=0 the features are within `separation` of each other. Else a time > 0 (unless it underflows) before which
+/// they are farther: their distance less `separation`, over a bound of their relative speed. Infinite if neither moves
+/// against the other. The case is decided exactly. REQUIRES: finite coordinates, a finite separation >= 0.
 double apart_from_start(PairKind kind, const PairPoints& points, double separation);
 
 }  // namespace tamis

@@ -1,5 +1,5 @@
-// Collects times at which a pair touches, roots of the polynomials of an exact decision, and finds the first of them,
-// or the first recontact after the pair has come apart.
+// Collects times when a pair touches: roots of the polynomials of an exact decision. Finds the first of them, or the
+// first recontact after the pair has separated.
 #pragma once
 #include <algorithm>
 #include <utility>
@@ -13,10 +13,10 @@ namespace tamis {
 class TouchingTimes {
  public:
   enum class Wanted { first, recontact };
-  /// Times after `latest`, in [0,1], may be left out.
+  /// Times after `latest`, in [0,1], may be skipped.
   explicit TouchingTimes(Wanted wanted, double latest = 1) : wanted_(wanted), latest_(latest) {}
 
-  /// Adds the roots of `p` in [0,1] for which `holds(time)`, each a time of touching; where only the first time of all
+  /// Adds the roots of `p` in [0,1] for which `holds(time)`, each a time of touching. Where only the first time of all
   /// is wanted, the first such root. Of a polynomial that is always zero adds none: it begins and ends nothing.
   template <class Condition>
   void add_roots(const IntegerPolynomial& p, const Condition& holds) {
@@ -32,7 +32,7 @@ class TouchingTimes {
   }
 
   /// The first time of touching. Times are compared by their brackets, which ascend with them. Only for pairs that are
-  /// apart at t=0: a pair that moves within its plane may go on touching without any of these times.
+  /// apart at t=0: a pair that moves within its plane may keep touching without any of these times.
   Decision first() const {
     Decision first;
     for (const AlgebraicTime& time : times_) {

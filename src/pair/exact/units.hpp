@@ -1,4 +1,4 @@
-// The largest unit in which coordinates are integers, which makes these short; and coordinates as words of 61 bits.
+// The largest unit that makes coordinates integers, so the integers are short. Also coordinates as words of 61 bits.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -63,7 +63,7 @@ struct InWords {
   int exponent;
 };
 
-/// The points in the largest unit in which they and the separation are whole; nothing if 61 bits do not hold them then,
+/// The points in the largest unit that makes them and the separation whole. Nothing if 61 bits do not hold them then,
 /// or if all are zero. Tries a unit of 2^-61 of the largest, then takes off the last bits that no number has set.
 template <std::size_t count>
 std::optional<InWords<count>> in_words(const std::array<Point, count>& points, double separation) {

@@ -17,8 +17,8 @@ struct Dnf {
                         error_bounds::bound(error_bounds::kCoplanarityMiddle, unit));
   }
 
-  /// Proves free every motion, straight or not, whose vertices are never farther than `deviation` from those of `m`
-  /// along any axis (docs/numerics/steps.md: "Pairs listed ahead").
+  /// Proves free every motion, straight or not, whose vertices are never farther than `deviation` from the vertices of
+  /// `m` along any axis (docs/numerics/steps.md: "Pairs listed ahead").
   template <PairKind kind, class T>
   static Mask<T> proves_free_though_deviating(const PairMotion<T>& m, const T& deviation) {
     const T x = T(2) * deviation, d = m.size_d, e = m.size_e, f = m.size_f, unit = d * e * f;

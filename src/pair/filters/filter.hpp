@@ -1,4 +1,4 @@
-// What a filter is: a stateless struct with a name and one certificate over pairs of features.
+// A filter is a stateless struct with a name and one certificate over pairs of features.
 //
 //   struct Example {
 //     static constexpr std::string_view name = "example";
@@ -7,9 +7,9 @@
 //   };
 //
 // `proves_free` is true only where the pair is proven apart during the whole of the (possibly restricted) motion,
-// rounding included. Sizes that overflowed must come out false. A component is NaN only where its vector's size is:
-// positions are checked at the boundary, and a difference of finite numbers is finite, or infinite as its size is then.
-// T is double, an interval, or SIMD lanes of doubles or floats.
+// rounding included. Sizes that overflowed must come out false. A component is NaN only where its vector's size is NaN.
+// Positions are checked at the boundary. A difference of finite numbers is finite, or infinite as its size is then. T
+// is double, an interval, or SIMD lanes of doubles or floats.
 #pragma once
 #include <string_view>
 #include <type_traits>
@@ -20,7 +20,7 @@
 
 namespace tamis {
 
-/// a | b(): for a single pair, `b` is skipped where `a` is true; lanes compute both.
+/// a | b(): for a single pair, `b` is skipped where `a` is true. Lanes compute both.
 template <class M, class Other>
 inline M either(const M& a, const Other& b) {
   if constexpr (std::is_same_v<M, bool>)

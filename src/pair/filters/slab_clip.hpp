@@ -1,8 +1,7 @@
 // Slab clip: the ray-slab test in time. On a constant axis L every difference between a point of one feature and a
-// point of the other moves linearly; while all are positive, or all negative, the pair is apart. Those times are cut
-// from [t_in, t_out]; nothing left means the pair is free, and no single axis need separate it for the whole step.
-// With a separation d the differences must exceed d |L|.
-// The axes are the 13 of the 26-DOP, or the three of the coordinates.
+// point of the other moves linearly. While all are positive, or all negative, the pair is apart. Those times are cut
+// from [t_in, t_out]. If nothing remains, the pair is free. No single axis need separate it for the whole step. With a
+// separation d the differences must exceed d |L|. The axes are the 13 of the 26-DOP, or the three of the coordinates.
 // Error bound: error_bounds::kProjection. Cost: about 40 operations an axis.
 #pragma once
 #include "numbers/axes.hpp"
@@ -18,7 +17,7 @@ struct SlabClip {
   /// Axes of the coordinates alone leave pairs that touch nearly as little time, at a quarter of the cost.
   enum class Axes { coordinates, all };
 
-  /// The part of `time` in which the pair may touch.
+  /// The part of `time` when the pair may touch.
   template <PairKind kind, Axes axes = Axes::all, class T>
   static TimeInterval<T> clip(const PairMotion<T>& m, const TimeInterval<T>& time) {
     TimeClip<T> clip(time);
@@ -37,8 +36,8 @@ struct SlabClip {
   }
 
  private:
-  /// What a projected difference must exceed on an axis of this length: its error plus the separation, whose own
-  /// rounding is below 8 u of itself.
+  /// The bound that a projected difference must exceed on an axis of this length: its error plus the separation, whose
+  /// own rounding is below 8 u of itself.
   template <class T>
   static T margin_of(const PairMotion<T>& m, double axis_length) {
     const T error = error_bounds::bound<T>(error_bounds::kProjection, m.size_d + m.size_e + m.size_f);

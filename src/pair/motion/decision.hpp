@@ -1,4 +1,4 @@
-// Whether a pair touches, and when, as far as that is known; place and normal are found later.
+// Whether a pair touches, and when, as far as that is known. Place and normal are found later.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -15,7 +15,7 @@ struct Decision {
   bool is_free() const { return verdict == Verdict::is_free; }
   bool touches() const { return verdict == Verdict::touches; }
 
-  /// Adds a part of the step that may hold a contact, or one that does; parts come in the order of time. The bracket of
+  /// Adds a part of the step that may hold a contact, or one that does. Parts come in the order of time. The bracket of
   /// a contact begins at the first unsure part before it. REQUIRES: no contact was added.
   void add_unsure(double from, double until) {
     if (is_free()) *this = {Verdict::unsure, from, until};

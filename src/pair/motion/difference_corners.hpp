@@ -1,5 +1,5 @@
 // The corners of the Minkowski difference of a pair's two features, which is their convex hull. Its distance from zero
-// is the distance of the features; its fastest corner bounds the relative speed of any two points of the features.
+// is the distance of the features. Its fastest corner bounds the relative speed of any two points of the features.
 #pragma once
 #include <array>
 
@@ -9,7 +9,7 @@
 
 namespace tamis {
 
-/// `V`: vectors at one time, moving ones, or their projections on an axis; named as in PairMotion.
+/// `V`: vectors at one time, moving ones, or their projections on an axis. Named as in PairMotion.
 template <PairKind kind, class V>
 inline auto difference_corners([[maybe_unused]] const V& e, [[maybe_unused]] const V& f, const V& d) {
   if constexpr (kind == PairKind::vertex_face)
@@ -27,7 +27,8 @@ inline auto difference_corners(const PairMotion<T>& m) {
   return difference_corners<kind>(m.e, m.f, m.d);
 }
 
-/// That of the fastest corner: the relative velocity of any two points is a convex combination of the corners'.
+/// The velocity of the fastest corner: the relative velocity of any two points is a convex combination of the corners'
+/// velocities.
 template <PairKind kind, class T>
 inline T squared_speed(const PairMotion<T>& m) {
   T square(0);

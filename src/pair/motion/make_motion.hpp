@@ -15,9 +15,9 @@ struct PairPoints {
   std::array<Point, 4> start, end;
 };
 
-/// The pair's motion and `separation`, given in the unit of the points, times the power of two that brings the largest
-/// size into [1/2, 1): no decision depends on the unit of length, and no difference overflows. REQUIRES: a valid kind,
-/// finite coordinates, a separation >= 0, infinite where nothing bounds it.
+/// The pair's motion and `separation`, given in the unit of the points, times a power of two. The power brings the
+/// largest size into [1/2, 1). So no decision depends on the unit of length, and no difference overflows. REQUIRES: a
+/// valid kind, finite coordinates, a separation >= 0, infinite where nothing bounds it.
 PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double separation = 0);
 
 /// A pair and its motion. Keeps a reference to the points. REQUIRES: as make_motion.

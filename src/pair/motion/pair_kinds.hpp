@@ -1,4 +1,4 @@
-// Kinds of pairs differ in which vertices make which vectors. Everything else follows from the three vectors of
+// Kinds of pairs differ in the vertices that make their vectors. Everything else follows from the three vectors of
 // PairMotion (pair/motion/pair_motion.hpp).
 #pragma once
 #include <cstddef>
@@ -86,7 +86,7 @@ decltype(auto) with_kind(PairKind kind, const F& f) {
   return f(std::integral_constant<PairKind, PairKind::vertex_vertex>{});
 }
 
-/// The same of the kinds that can cross, so that f compiles for these alone. REQUIRES: one of them.
+/// The same of the kinds that can cross, so f compiles for these alone. REQUIRES: one of them.
 template <class F>
 decltype(auto) with_crossing_kind(PairKind kind, const F& f) {
   TAMIS_ASSERT(can_cross(kind));

@@ -40,9 +40,9 @@ inline T largest(const Moving<T>& v) {
   return max(largest_component(v.at0), largest_component(v.at1));
 }
 
-/// `size_*` bound every |component| of the unrestricted vector: the unit of its rounding errors. They stay those of
-/// the whole step when the motion is restricted to a part of it.
-/// `separation`: features this close count as touching; zero where only touching does.
+/// `size_*` bound every |component| of the unrestricted vector: the unit of its rounding errors. They stay the sizes of
+/// the whole step when the motion is restricted to a part of it. `separation`: features this close count as touching;
+/// zero where only touching does.
 template <class T>
 struct PairMotion {
   Moving<T> e, f, d;
@@ -52,7 +52,7 @@ struct PairMotion {
 
 inline bool is_finite(const PairMotion<double>& m) { return std::isfinite(m.size_e + m.size_f + m.size_d); }
 
-/// Can this be the motion of a whole step, where sizes are those of just these vectors? Motions that are not finite,
+/// True if this can be the motion of a whole step, with the sizes of just these vectors. Motions that are not finite,
 /// and number types other than double, are not checked: always true.
 inline bool may_be_whole(const PairMotion<double>& m) {
   return !is_finite(m) || (m.size_e == largest(m.e) && m.size_f == largest(m.f) && m.size_d == largest(m.d));

@@ -32,7 +32,7 @@ class TimeClip {
   explicit TimeClip(const TimeInterval<T>& time) : time_(time) {}
 
   /// Cuts the times at which the line from g0 (t=0) to g1 (t=1) is positive: those before its root if it falls, those
-  /// after it if it rises; where the root is outside the step that is all or nothing, without a case of its own. A
+  /// after it if it rises. Where the root is outside the step that is all or nothing, without a case of its own. A
   /// constant line has its root at +infinity (cut all), -infinity (nothing) or NaN (nothing).
   /// REQUIRES (not checked: exact): g0, g1 off by at most 2 u of themselves. NaN cuts nothing.
   void cut_positive(const T& g0, const T& g1) {

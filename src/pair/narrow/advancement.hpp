@@ -1,6 +1,7 @@
-// Minimum separation, one step of conservative advancement: at one time, is the pair within the separation, and if not,
-// until when is it certainly apart? The next time to probe is where that proof ends: Newton's method on the distance,
-// from the safe side. For double and for SIMD lanes, so that a pair has the same bits however it is asked.
+// One step of conservative advancement for a minimum separation. It tells whether the pair is within the separation at
+// a time, and if not, until when it is certainly apart. The next time to probe is the end of that proof: Newton's
+// method on the distance, from the safe side. Double and SIMD lanes run the same lines, so a pair has the same bits in
+// both.
 #pragma once
 #include "numbers/assert.hpp"
 #include "pair/distance/orthogonal_axis.hpp"
@@ -8,7 +9,7 @@
 
 namespace tamis {
 
-/// Advances shorter than this, as a fraction of the time step, are no progress.
+/// Advances shorter than this, as a fraction of the time step, do not count as progress.
 inline constexpr double kShortestAdvance = 0x1p-50;
 
 /// The distance at one time.
@@ -57,7 +58,7 @@ class SeparationProbe {
   const AxisClip<kind, T>& clip() const { return clip_; }
 
  private:
-  /// Twice the time in which the closest points, were they fixed, would come closer by `excess`.
+  /// Twice the time that the closest points, if they were fixed, would need to come closer by `excess`.
   T retry_in(const ClosestPointsOf<T>& closest, const T& length, const T& excess) const {
     const Vec3<T> change = gap_at<kind>(m_.e.at1, m_.f.at1, m_.d.at1, closest.u, closest.v) -
                            gap_at<kind>(m_.e.at0, m_.f.at0, m_.d.at0, closest.u, closest.v);

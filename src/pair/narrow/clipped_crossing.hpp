@@ -1,6 +1,6 @@
-// How doubles decide nearly every pair that crosses: by one crossing in the times that the slab clip on the coordinate
-// axes leaves; or else in those that the clip on all its axes leaves, by a crossing on each side of the cubic's turning
-// point. A single pair and pairs in lanes run the same lines, so that a pair has the same bits however it is asked.
+// Doubles decide nearly every pair that crosses by one crossing, in the times that the slab clip on the coordinate axes
+// leaves. If that fails, by a crossing on each side of the cubic's turning point, in the times that the clip on all
+// axes leaves. A single pair and pairs in lanes run the same lines, so a pair has the same bits in both.
 #pragma once
 #include "pair/filters/slab_clip.hpp"
 #include "pair/narrow/crossing.hpp"

@@ -15,7 +15,7 @@ namespace {
 using Vec = Vec3<double>;
 
 /// A normal along e x f, of any length; zero if e x f is. In integers where rounding would tilt it by more than 2^-28,
-/// as of slivers: components are off by at most 20 u E F, as those of N in error_bounds.hpp.
+/// as of slivers: components are off by at most 20 u E F, as N in error_bounds.hpp.
 Vec normal_at(const PairInStep& pair, double time) {
   const PairMotion<double>& m = pair.motion;
   const Vec normal = cross(at_time(m.e, time), at_time(m.f, time));
@@ -28,7 +28,7 @@ Point unit_point(const Vec& v) {
   return {unit.x, unit.y, unit.z};
 }
 
-/// A unit vector along e x f; if that vanishes, one orthogonal to e, or if e vanishes, to f.
+/// A unit vector along e x f. If that vanishes, one orthogonal to e, or if e vanishes, to f.
 Point any_normal(const PairInStep& pair, double time) {
   const PairMotion<double>& m = pair.motion;
   const Vec normal = normal_at(pair, time), e = at_time(m.e, time);

@@ -1,6 +1,6 @@
 // One crossing: where the coplanarity cubic provably passes zero exactly once during the motion, certified signs
 // bracket the root, and the inside test compares the features there. This decides nearly every pair that reaches the
-// solver; the rest is cut in time first (pair/narrow/decide_in_doubles.cpp). One template for double and for SIMD
+// solver. The rest is cut in time first (pair/narrow/decide_in_doubles.cpp). One template for double and for SIMD
 // lanes; every lane's answer depends on that lane alone.
 #pragma once
 #include "numbers/assert.hpp"
@@ -12,7 +12,7 @@
 
 namespace tamis {
 
-/// What one crossing tells of a part of the step; times are those of the step.
+/// What one crossing tells of a part of the step. Times are times of the step.
 template <class T>
 struct Crossing {
   Mask<T> is_free;   ///< proven: no contact in that part
@@ -35,7 +35,7 @@ inline T to_step(const TimeInterval<T>& part, const T& s, double direction) {
   return min(max(t + T(direction * 12 * error_bounds::unit_roundoff<T>) * part.t_out, part.t_in), part.t_out);
 }
 
-/// The place in [0,1] where a cubic whose ends have one sign turns; the middle where it does not turn so.
+/// The place in [0,1] where a cubic whose ends have one sign turns. The middle where it does not turn so.
 template <class T>
 inline T turning_point(const std::array<T, 4>& k) {
   // K' = c0 s^2 + c1 s t + c2 t^2 with s = 1 - t; a root t/s > 0 where c0 and c2 differ in sign.

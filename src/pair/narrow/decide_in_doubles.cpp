@@ -44,8 +44,8 @@ double cut_at(const Coplanarity& points, const TimeInterval<double>& part) {
   return (1 - s) * part.t_in + s * part.t_out;
 }
 
-/// A pair that one crossing does not decide: the time is cut, earliest part first, until each part is proven free,
-/// holds one certified crossing, or is too short to be decided in this arithmetic.
+/// For a pair that one crossing does not decide. The time is cut, earliest part first, until each part is proven free,
+/// holds one certified crossing, or is too short for this arithmetic.
 template <PairKind kind>
 Decision subdivide(const PairMotion<double>& m, const TimeInterval<double>& time) {
   if (comes_to_flat_root<kind>(m, time)) return {Verdict::unsure, time.t_in, time.t_out};
@@ -82,7 +82,7 @@ Decision subdivide(const PairMotion<double>& m, const TimeInterval<double>& time
   return decision;
 }
 
-/// The decision, less what the clip proves free.
+/// The decision, on the times that the clip does not prove free.
 Decision restricted_to(const TimeInterval<double>& clip, Decision d) {
   if (d.is_free()) return d;
   d.lower = std::max(d.lower, clip.t_in);

@@ -6,8 +6,8 @@
 namespace tamis {
 namespace {
 
-/// Decides the pair by one crossing in the times that the clip on the coordinate axes leaves, or, by `axes`, by two in
-/// the times that the clip on all axes leaves; nothing where that is not enough.
+/// Decides the pair by one crossing in the times that the clip on the coordinate axes leaves. Or, by `axes`, by two
+/// crossings in the times that the clip on all axes leaves. Nothing where that is not enough.
 template <PairKind kind, SlabClip::Axes axes>
 std::optional<PairResult> decided_after_clip(const PairMotion<double>& m, double latest) {
   const auto clip = SlabClip::clip<kind, axes>(m, TimeInterval<double>{0, 1});

@@ -1,6 +1,6 @@
-// Edges that move in one plane orthogonal to a coordinate axis, as all of a 2D simulation do. Such edges are coplanar
-// at all times, so that no crossing of theirs tells when they touch. But they touch first where an end of one comes to
-// the other edge, and there the other edge crosses the line through that end orthogonal to the plane: the upright.
+// Edges that move in one plane orthogonal to a coordinate axis, as all of a 2D simulation do. Such edges are always
+// coplanar, so a crossing does not tell when they touch. But they touch first where an end of one comes to the other
+// edge. There the other edge crosses the upright: the line through that end orthogonal to the plane.
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +21,7 @@ std::size_t shared_coordinate(const PairPoints& points) {
 }
 
 /// The points of the edges, with the edge of `end` replaced by the upright: a line through that end along `axis`. Each
-/// half of the upright is as long as the largest coordinate, so that neither of its ends is rounded into the plane.
+/// half of the upright is as long as the largest coordinate, so neither of its ends is rounded into the plane.
 PairPoints with_upright(const PairPoints& points, std::size_t end, std::size_t axis) {
   double height = 0;
   for (const auto* at : {&points.start, &points.end})

@@ -1,5 +1,5 @@
 // The stages that decide() tries on one pair, in this order (with a separation 4 comes before 3), until one of them
-// decides it; if none does, integers do (pair/exact/exact.hpp).
+// decides it. If none does, integers do (pair/exact/exact.hpp).
 #pragma once
 #include <optional>
 
@@ -38,12 +38,12 @@ std::optional<PairResult> decided_in_plane(const PairInStep& pair);
 
 // 3. Beginnings of the step, of a pair that goes far: pair_beginnings.cpp.
 
-/// What the pair does during the step, proven. Nothing where the pair does not go far, or doubles cannot tell.
+/// Decides the pair for the step, proven. Nothing where the pair does not go far, or doubles cannot tell.
 std::optional<Decision> decide_in_beginnings(const PairInStep& pair);
 
 // 4. Subdivision of the step, or with a separation advancement: decide_in_doubles.cpp.
 
-/// The part of a time that the slab clip leaves; all of it where sizes are not finite.
+/// The part of a time that the slab clip leaves. All of it where sizes are not finite.
 TimeInterval<double> clipped(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time);
 
 /// Unsure where sizes are not finite. REQUIRES: a motion that is not restricted; `time` as clipped() leaves it.
@@ -67,7 +67,7 @@ std::optional<Decision> decide_crossing_finely(const PairInStep& pair, const Dec
 /// finite; the pair is apart on [0, bracket.t_in); the bracket lies in [0,1].
 std::optional<Decision> first_within_finely(const PairInStep& pair, const TimeInterval<double>& bracket);
 
-// In place of all these stages, for a pair within its separation at t=0 where such contacts are ignored: recontact.cpp.
+// Instead of all these stages, for a pair within its separation at t=0 where such contacts are ignored: recontact.cpp.
 
 /// Finds when the pair is first within its separation again after it has left it: free if it never leaves, or never
 /// comes back. Nothing where doubles cannot tell when, or whether, it leaves (docs/numerics/distances.md, "Ignored at

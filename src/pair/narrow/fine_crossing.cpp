@@ -1,5 +1,6 @@
-// Decides in double-double a crossing that doubles leave undecided: when a pair touches that is known to, or whether a
-// pair touches that passes close to a border of its features. As exact algebra would, in a fraction of its time.
+// Decides in double-double a crossing that doubles leave undecided. Either the pair is known to touch, and the time is
+// sought. Or the pair passes close to a border of its features, and may touch. The answer is that of exact algebra, in
+// a fraction of its time.
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +21,7 @@ struct FineRoot {
   double radius;
 };
 
-/// The crossing during a bracket in which the slope of the coplanarity has one sign.
+/// The crossing during a bracket where the slope of the coplanarity has one sign.
 class FineCrossing {
  public:
   /// `slope`: the least slope of the coplanarity during the bracket, with its sign.

@@ -59,8 +59,8 @@ class FineSearch {
   }
 
  private:
-  /// Moves points that only rounding keeps off a corner or a side there: else their axis would be that of the inside.
-  /// Afterwards weights on the side opposite the first corner add up to exactly 1, other weights to less.
+  /// Moves points that only rounding keeps off a corner or a side onto it: else their axis would be the axis of the
+  /// inside. Afterwards weights on the side opposite the first corner add up to exactly 1, other weights to less.
   static ClosestPoints snapped(ClosestPoints p) {
     constexpr double kNear = 0x1p-44;
     for (double* weight : {&p.u, &p.v}) *weight = *weight < kNear ? 0 : *weight > 1 - kNear ? 1 : *weight;

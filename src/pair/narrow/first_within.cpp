@@ -84,7 +84,7 @@ class Advance {
   Decision decision_;
 };
 
-/// A time until which the pair is proven apart from `now` on; no later than `now` if nothing is proven. Rounding tilts
+/// A time until which the pair is proven apart from `now` on. No later than `now` if nothing is proven. Rounding tilts
 /// the axis of a gap that is tiny beside its features, differently at each time: so times a little later are tried.
 template <PairKind kind>
 double apart_from(const SeparationProbe<kind, double>& probe, double separation, double now) {

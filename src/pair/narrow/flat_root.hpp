@@ -37,9 +37,9 @@ inline double flat_reach(const std::array<double, 4>& k, double t, double bound)
   return std::min(std::sqrt(bound / std::fabs(square)), std::cbrt(bound / std::fabs(cube)));
 }
 
-/// Must integers decide this pair? True only if doubles see its coplanarity come to such a root first, and neither NCF
-/// nor an axis proves the pair apart there. It is never wrong to say so: integers decide every pair. REQUIRES: the
-/// motion of the whole step, finite.
+/// True if integers must decide this pair: doubles see its coplanarity come to such a root first, and neither NCF nor
+/// an axis proves the pair apart there. True is never wrong: integers decide every pair. REQUIRES: the motion of the
+/// whole step, finite.
 template <PairKind kind>
 bool comes_to_flat_root(const PairMotion<double>& m, const TimeInterval<double>& time) {
   constexpr double kNear = 0x1p-40, kPart = 0.5;

@@ -28,8 +28,8 @@ struct StartBounds {
   double speed;      ///< at least the speed of any point of one feature against any of the other
 };
 
-/// A lower bound, beyond all rounding, of the distance at t=0: along the gap of the closest points; where that says
-/// little, because rounding tilts a small gap, also along the gap made orthogonal to the features.
+/// A lower bound, beyond all rounding, of the distance at t=0, along the gap of the closest points. Rounding tilts a
+/// small gap: then also along the gap made orthogonal to the features.
 template <PairKind kind>
 double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& closest) {
   constexpr double kSharp = 1 - 0x1p-40;
@@ -59,7 +59,7 @@ double kept(double distance, const PairMotion<double>& m, double fraction, int r
   return (m.separation + fraction * clearance) * (1 + rounding * 8 * kRoundoff);
 }
 
-/// Until when a pair without clearance at t=0 obeys the rule: less than 1 if it comes back, be it at t=1.
+/// Until when a pair without clearance at t=0 obeys the rule. Less than 1 if it comes back, even at t=1.
 double keeps_without_clearance_until(PairKind kind, const PairPoints& points, const DistanceRule& rule,
                                      PrecisionCount& decided_by) {
   if (!rule.ignores_start) return 0;

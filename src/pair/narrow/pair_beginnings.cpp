@@ -14,7 +14,7 @@
 namespace tamis {
 namespace {
 
-/// In the first beginning the pair goes 2^kDoublings times as far as it is large at the start; each next beginning is
+/// In the first beginning the pair goes 2^kDoublings times as far as it is large at the start. Each next beginning is
 /// 2^kDoublings times as long as the one before (docs/history/performance.md, "What is near at the start").
 constexpr int kDoublings = 5;
 

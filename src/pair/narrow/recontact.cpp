@@ -1,4 +1,4 @@
-// Finds recontacts in doubles: a pair that is within its separation at t=0 may leave it and come back. Asked of each
+// Finds recontacts in doubles: a pair that is within its separation at t=0 may leave it and come back. Runs for each
 // such pair where contacts at the start are ignored.
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace tamis {
 namespace {
 
-/// Iterations of the search for the time of leaving; halvings of a time during which the pair must stay within.
+/// Iterations of the search for the time of leaving. Halvings of a time during which the pair must stay within.
 constexpr int kMaxLeavingProbes = 16, kMostHalvings = 10;
 
 template <PairKind kind>
@@ -104,8 +104,8 @@ class Recontact {
            });
   }
 
-  /// What is known, during a time, of the direction between the closest points and of the nearest point: the point of
-  /// the Minkowski difference nearest to zero.
+  /// Facts, during a time, about the direction between the closest points and about the nearest point: the point of the
+  /// Minkowski difference nearest to zero.
   struct Growth {
     Vec3<double> n, turn;   ///< a direction with the largest component 1, and the rate at which it should turn
     double tilt = 0;        ///< the unit direction between closest points, times |n|, differs from n by no more

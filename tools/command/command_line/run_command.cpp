@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -15,7 +16,6 @@
 #include "command/command_line/command_line.hpp"
 #include "command/command_line/messages.hpp"
 #include "command/command_line/standard_streams.hpp"
-#include "files/unfinished_file.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {
@@ -81,7 +81,7 @@ void declare(const Command& command, CLI::App& app) {
 
 int run_words(const Command& command, int argc, char** argv) {
   occupy_standard_streams();
-  io::remove_unfinished_files_on_signals();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large (ulimit -f) is an error of writing
   CLI::App app(command.description, command.name);
   declare(command, app);
   const auto is_called = [&](const auto& verb) { return std::string_view(argv[1]) == verb->name(); };

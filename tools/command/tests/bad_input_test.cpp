@@ -126,7 +126,7 @@ TEST_F(BadInput, OutputsOfOneFormatAreNamedSo) {
   const std::pair<const char*, const char*> cases[] = {{"truncate above.obj below.obj --out t.obj", ".ply"},
                                                        {"within above.obj --distance 1 --out n.vtp", ".csv"},
                                                        {"within above.obj --distance 1 --out n.csv.gz", ".csv"},
-                                                       {"intersections above.obj --out i.glb", ".csv, .html or .png"},
+                                                       {"intersections above.obj --out i.glb", ".csv or .html"},
                                                        {"bench above.obj below.obj --out b.html", ".csv"}};
   for (const auto& [command, format] : cases) {
     expect_refused(command, std::string(" here: let the name end in ") + format);

@@ -9,12 +9,6 @@
 namespace tamis::test {
 namespace {
 
-#ifdef TAMIS_HAS_PICTURES
-constexpr bool kHasPictures = true;
-#else
-constexpr bool kHasPictures = false;
-#endif
-
 class View : public FallTest {
  protected:
   std::string bytes(const std::string& name) const { return bytes_of_file(folder_.path() / name); }
@@ -50,14 +44,10 @@ TEST_F(View, ASingleFrameShowsItsIntersections) {
   EXPECT_NE(bytes("rows.csv").find("\n3,4,0,1,2"), std::string::npos);
   EXPECT_EQ(folder_.run("view above.obj --out none.html").code, 0);
   EXPECT_EQ(folder_.run("view above.obj below.obj --json").json()["intersections"], nullptr);
-  expect_refused("intersections pierced.obj --time 0.5", "intersections has no option --time");
+  expect_refused("intersections pierced.obj --scale 2", "intersections has no option --scale");
   for (const char* option : {"--scale 2", "--at-start fail", "--min-separation 0.1", "--radius 0.1"})
     expect_refused(std::string("view above.obj --out none.html ") + option,
                    "are of steps, and a single frame is named");
-  if (!kHasPictures) return;
-  expect_refused("view above.obj --out none.png --time 0.5", "--time is of steps, and a single frame is named");
-  EXPECT_EQ(folder_.run("intersections pierced.obj --size 64,48 --out pose.png").code, 1);
-  EXPECT_TRUE(bytes("pose.png").starts_with("\x89PNG"));
 }
 
 // Bug: START and END are sorted like the frames of a sequence, and the motion runs backwards.
@@ -71,21 +61,18 @@ TEST_F(View, TwoFilesStayInTheirOrder) {
 
 // Bug: the same step gives another page when it is asked again, or on another number of threads.
 TEST_F(View, TheSameStepGivesTheSameBytes) {
-  for (const std::string extension : {"html", "glb", "vtp", "vtu", "csv", "png"}) {
-    if (extension == "png" && !kHasPictures) continue;
+  for (const std::string extension : {"html", "glb", "vtp", "vtu", "csv"}) {
     const std::string one = "one." + extension, two = "two." + extension;
-    const std::string more = extension == "png" ? " --size 64,48" : "";
-    EXPECT_EQ(folder_.run("view above.obj below.obj --threads 1 --out " + one + more).code, 0);
-    EXPECT_EQ(folder_.run("contacts above.obj below.obj --threads 2 --out " + two + more).code, 0);
+    EXPECT_EQ(folder_.run("view above.obj below.obj --threads 1 --out " + one).code, 0);
+    EXPECT_EQ(folder_.run("contacts above.obj below.obj --threads 2 --out " + two).code, 0);
     EXPECT_FALSE(bytes(one).empty());
     EXPECT_EQ(bytes(one), bytes(two)) << extension;
   }
 }
 
 TEST_F(View, OutputsThatCannotBeMadeAreRefusedBeforeTheWork) {
-  expect_refused(
-      "view above.obj below.obj --out step.mp4",
-      "step.mp4: nothing is written as .mp4 here: let the name end in .csv, .html, .glb, .vtp, .vtu or .png");
+  expect_refused("view above.obj below.obj --out step.mp4",
+                 "step.mp4: nothing is written as .mp4 here: let the name end in .csv, .html, .glb, .vtp or .vtu");
   expect_refused("view above.obj below.obj lower.obj --out film.glb", "film.glb: such a file holds one step, not 2");
   expect_refused("view above.obj below.obj --out absent/step.html", "absent/step.html: cannot be written");
   expect_refused("view above.obj --out pose.glb", "pose.glb: such a file holds a step, not a single frame");
@@ -120,34 +107,11 @@ TEST_F(View, WhatADoubleCannotSpanIsNoPage) {
   EXPECT_EQ(folder_.run("view half.obj half.obj --out step.html").code, 0);
 }
 
-TEST_F(View, APictureTakesATimeADirectionAndASize) {
-  if (!kHasPictures) {
-    expect_refused("contacts above.obj below.obj --out step.png", "built without Embree and libpng");
-    GTEST_SKIP() << "no pictures on this machine";
-  }
-  const std::string step = "contacts above.obj below.obj --out step.png --size 64,48";
-  EXPECT_EQ(folder_.run(step).code, 0);
-  const std::string plain = bytes("step.png");
-  EXPECT_TRUE(plain.starts_with("\x89PNG"));
-  EXPECT_EQ(plain.substr(16, 8), std::string("\0\0\0\x40\0\0\0\x30", 8)) << "width and height";
-  for (const char* more : {" --time 0.5", " --from -1,0.5,2"}) {
-    EXPECT_EQ(folder_.run(step + more).code, 0) << more;
-    EXPECT_NE(bytes("step.png"), plain) << more;
-  }
-}
-
-TEST_F(View, OptionsOfPicturesAreRefusedWithASentence) {
-  if (!kHasPictures) GTEST_SKIP() << "no pictures on this machine";
-  const std::string step = "view above.obj below.obj --out step.png ";
-  expect_refused(step + "--time 1.5", "--time: '1.5' is no number from 0 to 1");
-  expect_refused(step + "--from 1,2", "--from is no direction: give three numbers");
-  expect_refused(step + "--from 0,0,0", "--from is no direction");
-  expect_refused(step + "--size 640", "--size takes a width and a height");
-  expect_refused(step + "--size 640,1000000", "--size: '1000000' is no whole number from 16 to 8192");
-  expect_refused("view above.obj below.obj lower.obj --out film.png", "film.png: such a file holds one step, not 2");
-  for (const char* out : {"", " --out step.html", " --out contacts.csv"})
-    expect_refused(std::string("contacts above.obj below.obj --time 0.5") + out,
-                   "--time, --from and --size are of pictures: give --out a name that ends in .png");
+// Bug: whoever wrote pictures with an earlier version is told nothing about what draws them now.
+TEST_F(View, APictureIsSavedFromThePage) {
+  for (const char* verb : {"contacts", "view"})
+    expect_refused(std::string(verb) + " above.obj below.obj --out step.png",
+                   "step.png: pictures are saved from the page: write step.html, open it and press K");
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "step.png"));
 }
 

@@ -15,7 +15,7 @@ class Contacts : public StepVerb {
   const char* examples() const override {
     return "  tamis contacts cloth1.ply cloth2.ply\n"
            "  tamis contacts cloth1.ply cloth2.ply --out contacts.csv\n"
-           "  tamis contacts cloth1.ply cloth2.ply --out contacts.png --from -1,0.5,2\n"
+           "  tamis contacts cloth1.ply cloth2.ply --out contacts.html\n"
            "  tamis contacts cloth1.ply cloth2.ply --check-start\n"
            "  tamis contacts cloth1.ply cloth2.ply --scale 0.5 --json\n"
            "  tamis contacts cloth1.ply cloth2.ply --min-separation 1e-3 --repeat 9";

@@ -32,7 +32,7 @@ class IntersectionsVerb final : public PoseVerb {
   const char* examples() const override {
     return "  tamis intersections cloth.ply && echo fit to start from\n"
            "  tamis intersections cloth.ply --out intersections.csv --json\n"
-           "  tamis intersections cloth.ply --out where.png";
+           "  tamis intersections cloth.ply --out where.html";
   }
   void declare(OptionList& options) override {
     PoseVerb::declare(options);
@@ -95,7 +95,7 @@ class IntersectionsVerb final : public PoseVerb {
                  fmt::format("{} {} {}", face[0], face[1], face[2]), s_upper);
     }
     if (found.size() > kPrinted)
-      fmt::print("and {} more: --json or --out FILE.csv lists all, --out FILE.html or FILE.png shows them\n",
+      fmt::print("and {} more: --json or --out FILE.csv lists all, --out FILE.html shows them\n",
                  grouped(found.size() - kPrinted));
   }
 

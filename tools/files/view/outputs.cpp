@@ -1,8 +1,12 @@
 #include "files/view/outputs.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <string_view>
 
+#include "files/error.hpp"
+#include "files/extension.hpp"
 #include "files/output/contacts_csv.hpp"
 #include "files/output/contacts_vtk.hpp"
 #include "files/output/glb.hpp"
@@ -45,6 +49,10 @@ constexpr std::array kOutputs{
 std::span<const Output> outputs() { return kOutputs; }
 
 const Output& output_for(const std::filesystem::path& path, std::span<const Output> choices, NoExtension without) {
+  if (extension_of(path) == ".png")
+    throw FileError(path.string(), "",
+                    fmt::format("pictures are saved from the page: write {}, open it and press K",
+                                std::filesystem::path(path).replace_extension("html").string()));
   std::vector<std::string_view> extensions;
   for (const Output& output : choices) extensions.emplace_back(output.extension);
   return choices[format_of(path, extensions, without)];

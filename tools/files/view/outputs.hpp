@@ -19,9 +19,6 @@ struct Output {
 /// All of them; the first is a table.
 std::span<const Output> outputs();
 
-/// Not among outputs(): a picture takes options, and a library that may be absent (write_picture).
-inline constexpr Output kPicture{"png", true, false, nullptr};
-
 /// The output that a file name asks for by its extension (format_of). Throws FileError.
 const Output& output_for(const std::filesystem::path& path, std::span<const Output> choices,
                          NoExtension without = NoExtension::is_first_format);

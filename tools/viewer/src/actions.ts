@@ -1,6 +1,7 @@
 // The actions of buttons and keys that do more than change one value.
 import { Box3, Vector3 } from "three";
-import { isPose, nounOf } from "./scene/header";
+import { el } from "./dom";
+import { isPose, namesOf, nounOf } from "./scene/header";
 import { nothingFound, nothingStops, whatEnds } from "./scene/proofs";
 import type { Pair } from "./scene/pair";
 import type { Session } from "./session";
@@ -120,6 +121,19 @@ export class Actions {
         this.say("This browser lets no page copy: take the address from its bar.");
       },
     );
+  }
+
+  /** Gives the browser a PNG of the drawing to save. */
+  async savePicture(): Promise<void> {
+    const picture = await this.stage?.picture(getComputedStyle(document.body).getPropertyValue("--back"));
+    if (!picture) {
+      this.say("There is no picture to save: this browser has no WebGL 2.");
+      return;
+    }
+    const address = URL.createObjectURL(picture);
+    const [name] = namesOf(this.session.scene.header, this.session.store.now.step);
+    el("a", { href: address, download: `${name}.png` }).click();
+    URL.revokeObjectURL(address);
   }
 
   /** A view from above and the side, as near as possible with all moving objects in it. */

@@ -204,6 +204,7 @@ function lookKeys({ store, scene }: Session, actions: Actions): KeyAction[] {
   const plain: [string, string, () => void][] = [
     ["t", "dark or light", actions.theme.bind(actions)],
     ["c", "copy a link to this view", actions.copyLink.bind(actions)],
+    ["k", "save a picture", () => void actions.savePicture()],
     [
       "?",
       "this list",

@@ -111,11 +111,11 @@ class Contacts(MovingPairs[Contact], TouchingPairs[Contact]):
         InvalidStep, InvalidPath
             As in `view`.
         Error
-            As in `view`; or a picture, ``.png``, is asked for, which only the command draws.
+            As in `view`; or a picture, ``.png``, is asked for, which only the page saves.
         """
         name, rows = file_name(path, "path"), np.ascontiguousarray(self._table).view(np.uint8)
         if name.lower().endswith(".png"):
-            raise Error(f"{name}: pictures are drawn by the command, tamis contacts --out; save html or glb instead")
+            raise Error(f"{name}: pictures are saved from the page: save html, open it and press K")
         if _core.is_file_to_look_at(name):
             self._question().write(name, rows)
         else:

@@ -124,6 +124,7 @@ export function tools(session: Session, actions: Actions): HTMLElement {
       { "aria-label": "See everything" },
     ),
     theme,
+    button("⤓", "Save a picture (K)", () => void actions.savePicture(), { "aria-label": "Save a picture" }),
     button(
       "?",
       "Keys (?)",

@@ -212,6 +212,25 @@ export class Stage {
     else if (this.drafts) this.wait = window.setTimeout(() => void this.drawWhole(), kPause);
   }
 
+  /** The drawing as it is now, in full resolution over a background, as the bytes of a PNG. */
+  picture(background: string): Promise<Blob | null> {
+    this.stopSlices();
+    if (this.drafts) this.useDraft(false);
+    this.camera.update();
+    this.placeWindow();
+    this.renderer.render(this.world, this.camera.camera);
+    const { width, height } = this.canvas;
+    const copy = el("canvas", { width, height });
+    const drawing = copy.getContext("2d")!;
+    drawing.fillStyle = background;
+    drawing.fillRect(0, 0, width, height);
+    drawing.drawImage(this.canvas, 0, 0);
+    this.request();
+    return new Promise((resolve) => {
+      copy.toBlob(resolve);
+    });
+  }
+
   /** Whether the drawing will change though nothing more happens. */
   get isBusy(): boolean {
     return this.requested || this.wait !== 0;

@@ -54,7 +54,7 @@ void ask(int rank, int ranks) {
   const tamis::Step step{part.start, part.end};
   unsigned long long mine = detector.contacts(step).size(), all = 0;  // those whose first vertex this rank gives
   MPI_Allreduce(&mine, &all, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, MPI_COMM_WORLD);
-  const double safe = detector.safe_step(step, 0.1).lower;  // the same on every rank
+  const double safe = detector.safe_step(step, 0.1).toi_lower;  // the same on every rank
   if (rank == 0) std::printf("%llu contacts; every pair keeps a tenth of its distance until %.17g\n", all, safe);
 }
 

@@ -261,7 +261,8 @@ TEST(NarrowPhase, IsCancelledBetweenHardPairsToo) {
 
 TEST(NarrowPhase, ACancelledListThrows) {
   const Cases cases = make_cases(1);
-  EXPECT_THROW(narrow_phase(cases.pairs, {cases.start, cases.end}, {.is_cancelled = [] { return true; }}), Cancelled);
+  EXPECT_THROW((void)narrow_phase(cases.pairs, {cases.start, cases.end}, {.is_cancelled = [] { return true; }}),
+               Cancelled);
 }
 
 TEST(NarrowPhase, BadStepsAndOptionsAreRefused) {

@@ -5,6 +5,7 @@
 
 #include <initializer_list>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -64,6 +65,12 @@ template <class Record>
 nb::object own_bytes(std::vector<Record>&& records) {
   const std::size_t bytes = records.size() * sizeof(Record);
   return own_in_shape<std::uint8_t>(std::move(records), {bytes});
+}
+
+/// A list of a detector dies at its next question, which another thread may ask.
+template <class Row>
+std::vector<Row> copied(std::span<const Row> rows) {
+  return {rows.begin(), rows.end()};
 }
 
 template <class Element, class Array>

@@ -57,10 +57,10 @@ class Questions {
   }
 
   nb::object pairs_within(const Rows& at, double distance) {
-    return own_bytes(asker_.answer([&] { return detector_.pairs_within(positions(at), distance); }));
+    return own_bytes(asker_.answer([&] { return copied(detector_.pairs_within(positions(at), distance)); }));
   }
   nb::object intersections(const Rows& at) {
-    return own_bytes(asker_.answer([&] { return detector_.intersections(positions(at)); }));
+    return own_bytes(asker_.answer([&] { return copied(detector_.intersections(positions(at))); }));
   }
   bool has_intersection(const Rows& at) {
     return asker_.answer([&] { return detector_.has_intersection(positions(at)); });

@@ -54,7 +54,7 @@ class RankQuestions {
         detector_(MPI_Comm_f2c(communicator), part.mesh, with_sentences(asker_.with_callbacks(asking.options))) {}
 
   nb::object contacts(const QueryOptions& q, const Rows& start, const Rows& end) {
-    return own_bytes(asker_.answer([&] { return detector_.contacts(step_of(start, end), q); }));
+    return own_bytes(asker_.answer([&] { return copied(detector_.contacts(step_of(start, end), q)); }));
   }
   nb::object gather_contacts(int root) {
     return own_bytes(asker_.answer([&] { return detector_.gather_contacts(root); }));

@@ -77,9 +77,9 @@ void bind_poses(nb::module_& module) {
   module.def("poses_of", [](const Matrices& matrices, const PointRows& positions) {
     return poses_of(matrices, positions, &pose_of_matrix);
   });
-  module.def("interpolated", &each_interpolated);
-  module.def("turned", &each_turned);
-  module.def("between", &each_between);
+  module.def("interpolated_chain", &each_interpolated);
+  module.def("turned_chain", &each_turned);
+  module.def("chain_between", &each_between);
   module.def("pose_at", &each_pose_at);
   module.def("nlerp_deviation", &each_nlerp_deviation);
 }

@@ -38,8 +38,8 @@ struct NearFeature {
   /// True if an earlier face already contains the point, so this feature adds nothing.
   bool is_repeated() const;
   /// True if the faces around the point lead away from the direction `outward` (in the body's frame), up to a few
-  /// degrees. Otherwise a point beside it is nearer, and `outward` is no direction in which to push: two edges of boxes
-  /// that lie exactly on each other would push sideways, and so would an edge between two coplanar faces.
+  /// degrees. Otherwise a point beside it is nearer, and `outward` is not a direction in which to push: two edges of
+  /// boxes that lie exactly on each other would push sideways, and so would an edge between two coplanar faces.
   bool is_nearest(const Point& outward) const;
 
  private:

@@ -111,7 +111,7 @@ int number_from(const std::string& word) {
   int number = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error != std::errc() || end != word.data() + word.size())
-    throw InvalidOptions(fmt::format("'{}' is no number of threads: give 0 (all) or a positive number", word));
+    throw InvalidOptions(fmt::format("'{}' is not a number of threads: give 0 (all) or a positive number", word));
   return number;
 }
 
@@ -130,7 +130,7 @@ Arguments read(const std::vector<std::string>& words) {
     else if (words[i] == "--serve")
       asked.serves = true;
     else if (words[i].starts_with("-"))
-      throw InvalidOptions(fmt::format("there is no option '{}'\n{}", words[i], kUsage));
+      throw InvalidOptions(fmt::format("unknown option '{}'\n{}", words[i], kUsage));
     else
       asked.patterns.push_back(words[i]);
   }

@@ -23,7 +23,7 @@ inline PairOptions options_for(const tamis_step& given, PairOptions options) {
 
 inline FeaturePair pair_of(const tamis_feature_pair& given) {
   FeaturePair pair;
-  // A number that is no kind must not become one when it is cut to a byte.
+  // A number that is not a kind must not become one when it is cut to a byte.
   pair.kind = static_cast<PairKind>(given.kind >= 0 && given.kind < 255 ? given.kind : 255);
   std::copy_n(given.vertices, 4, pair.vertices.begin());
   return pair;

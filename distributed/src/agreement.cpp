@@ -34,7 +34,7 @@ Report report_of(const std::exception_ptr& failure) {
   } catch (const std::exception& error) {
     return {Kind::other, error.what()};
   } catch (...) {
-    return {Kind::other, "an exception that is no std::exception: throw one that says what is wrong"};
+    return {Kind::other, "an exception that is not a std::exception: throw one that says what is wrong"};
   }
 }
 

@@ -20,9 +20,10 @@ void validate(const Positions& positions, Index rows, const char* what) {
                       " positions, this rank's part of the mesh " + std::to_string(rows) +
                       " vertices: give one row a vertex");
   if (rows > 0 && (positions.data() == nullptr || positions.stride() < 3))
-    throw InvalidStep(std::string(what) +
-                      " is no n x 3 array of doubles, row by row: give three columns next to each other and a stride "
-                      "of at least 3");
+    throw InvalidStep(
+        std::string(what) +
+        " is not an n x 3 array of doubles, row by row: give three columns next to each other and a stride "
+        "of at least 3");
 }
 
 Point point_at(const Positions& positions, Index row) {

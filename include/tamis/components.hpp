@@ -6,8 +6,8 @@
 
 namespace tamis {
 
-/// Connected components, numbered as PairFilter::group_of_vertex numbers groups: to leave out pairs, or to give each
-/// component a radius.
+/// Connected components, numbered as PairFilter::group_of_vertex numbers groups. Use them to skip pairs, or to give
+/// each component a radius.
 struct Components {
   /// For each vertex of the mesh the number of its component, in [0, count): components are in the order of their first
   /// vertices. -1 for a vertex that takes no part in contacts (it is not in Mesh::points).

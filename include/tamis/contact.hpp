@@ -12,7 +12,7 @@
 namespace tamis {
 
 /// Vertex-face (VF) and edge-edge (EE) pairs cover every first contact of two triangle meshes. Points and edges of no
-/// face have contacts that these pairs leave out: vertex-edge (VE) and vertex-vertex (VV) pairs cover them.
+/// face have other contacts: vertex-edge (VE) and vertex-vertex (VV) pairs cover them.
 enum class PairKind : std::uint8_t { vertex_face, edge_edge, vertex_edge, vertex_vertex };
 /// The number of kinds; PairKind indexes a table that has one row a kind.
 inline constexpr std::size_t kPairKinds = 4;
@@ -42,15 +42,13 @@ struct Contact {
   /// ve: u on the edge, v = 0. vv: both 0.
   double u;
   double v;
-  /// Unit vector: the direction in which the first feature (the vertex; the first edge) must go, or against which the
-  /// second must go, so that they part.
-  /// - With a minimum separation or radii, and for ve and vv: from the second feature's closest point to the first's at
-  /// toi_lower.
-  /// - Otherwise: the normal of the face, or the cross product of both edges, on the side where the first feature is
-  /// just before they touch. If all points stay in one plane, the face has no area or the edges are parallel: the
-  /// direction between the closest points.
-  /// - Features that share a point at t=0 count as having come against their motion. If they are at rest it is the
-  /// normal, on either side, or any unit vector where there is no normal.
+  /// Unit vector: to part the features, the first one (the vertex; the first edge) must go along it, or the second one
+  /// against it. - With a minimum separation or radii, and for ve and vv: from the second feature's closest point to
+  /// the first's at toi_lower. - Otherwise: the normal of the face, or the cross product of both edges, on the side
+  /// where the first feature is just before they touch. If all points stay in one plane, the face has no area or the
+  /// edges are parallel: the direction between the closest points. - Features that share a point at t=0 count as having
+  /// come against their motion. If they are at rest it is the normal, on either side, or any unit vector where there is
+  /// no normal.
   Point normal;
 };
 
@@ -63,7 +61,7 @@ struct Contact {
 [[nodiscard]] std::array<Index, 2> features_of(const Mesh& mesh, PairKind kind, const std::array<Index, 4>& vertices);
 
 /// Returns a signed weight for each of a pair's vertices; the four add up to 0. The first feature's vertices, weighted
-/// and summed, give its point; the second feature's give its point, negative. So the sum over all is the vector from
+/// and summed, give its point. The second feature's give its point, negative. So the sum over all is the vector from
 /// the second point to the first. vf: 1, u+v-1, -u, -v; ee: 1-u, u, v-1, -v; ve: 1, u-1, -u, 0; vv: 1, -1, 0, 0. `u`
 /// and `v`: as in a Contact, a NearPair or a PairResult.
 /// Throws Error if there is no such kind.
@@ -72,10 +70,9 @@ struct Contact {
 /// Answer to "how far may the step go?".
 struct EarliestContact {
   /// The motion is free on [0, toi_lower): proven. Where very many pairs touch at one time, up to 2^-37 of it before
-  /// the contact's own toi_lower. 1, and no contact, if the whole step is free. 0 only if a pair
-  /// touches at t=0 (and is not ignored), or if one touches (toi_upper > 0) sooner than at any positive double. This is
-  /// a time, not a position: start + toi_lower (end - start), rounded to doubles, may touch. Detector::truncate returns
-  /// positions to go to.
+  /// the contact's own toi_lower. 1, and no contact, if the whole step is free. 0 only if a pair touches at t=0 (and is
+  /// not ignored), or sooner than at any positive double (toi_upper > 0). This is a time, not a position: start +
+  /// toi_lower (end - start), rounded to doubles, may touch. Detector::truncate returns positions to go to.
   double toi_lower = 1;
   /// A certified contact happens at or before this time. 1 if no contact is certified, as may be on a path.
   double toi_upper = 1;

@@ -1,4 +1,4 @@
-// The library's exceptions. Every message says what is wrong, where, and what to do.
+// The library's exceptions. Every message names the fault, the place, and the remedy.
 #pragma once
 #include <stdexcept>
 
@@ -19,8 +19,8 @@ struct InvalidStep : Error {
   using Error::Error;
 };
 
-/// A path that does not fit the mesh, or breaks what it promises: a bound that is negative or not a number, positions
-/// that are not finite, a vertex that deviates farther than its bound.
+/// A path that does not fit the mesh, or breaks its promises. It gave a bound that is negative or not a number,
+/// positions that are not finite, or a vertex that deviates farther than its bound.
 struct InvalidPath : Error {
   using Error::Error;
 };
@@ -30,7 +30,7 @@ struct InvalidOptions : Error {
   using Error::Error;
 };
 
-/// Options::is_cancelled ended the question. The detector may be asked again.
+/// Options::is_cancelled ended the question. The detector may be queried again.
 struct Cancelled : Error {
   using Error::Error;
 };

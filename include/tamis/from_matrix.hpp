@@ -1,5 +1,6 @@
-// Copies topology and positions from the caller's own layout: raw pointers, matrices stored by rows or by columns
-// (Eigen's, or any type with rows(), cols() and an element (row, column)), and vectors of points of any number type.
+// Copies topology and positions from the caller's own layout. It may be raw pointers, or vectors of points of any
+// number type. It may be a matrix stored by rows or by columns: Eigen's, or any type with rows(), cols() and an element
+// (row, column).
 #pragma once
 #include <concepts>
 #include <cstddef>

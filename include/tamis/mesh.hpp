@@ -16,9 +16,9 @@ using Edge = std::array<Index, 2>;  ///< vertex indices, ascending
 /// names one vertex three times counts as a loose point, too.
 class Mesh {
  public:
-  /// Takes the topology. `vertex_count`: number of rows of the positions of every step, >= 0.
-  /// Throws InvalidMesh if an index lies outside [0, vertex_count), if there is no feature at all, or if three times
-  /// the faces plus the loose edges are more than 2^31 - 1.
+  /// Takes the topology. `vertex_count`: number of rows of the positions of every step, >= 0. Throws InvalidMesh if an
+  /// index lies outside [0, vertex_count), if the mesh has no feature at all, or if three times the faces plus the
+  /// loose edges are more than 2^31 - 1.
   Mesh(Index vertex_count, std::vector<Face> faces, const std::vector<Edge>& loose_edges = {},
        std::vector<Index> loose_points = {});
 
@@ -27,7 +27,7 @@ class Mesh {
   /// Returns the triangles as given.
   [[nodiscard]] std::span<const Face> faces() const { return faces_; }
   /// Returns every edge of a triangle and every loose edge, once; vertices ascending; sorted. An edge whose two indices
-  /// are equal is left out, but its vertex is a point.
+  /// are equal is skipped, but its vertex is a point.
   [[nodiscard]] std::span<const Edge> edges() const { return edges_; }
   /// Returns the vertices that take part in contacts: used by a face or an edge, or loose; ascending.
   [[nodiscard]] std::span<const Index> points() const { return points_; }

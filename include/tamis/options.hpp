@@ -18,7 +18,7 @@ enum class Isa : std::uint8_t { best, baseline, avx2, avx512 };
 enum class AtStart : std::uint8_t {
   report,  ///< they are contacts at t=0, and no step may go at all
   /// A pair that touches at t=0 is a contact only when it touches again, after a time at which it does not touch. A
-  /// pair that never comes apart, or never touches again, is no contact (see Statistics::ignored).
+  /// pair that never comes apart, or never touches again, is not a contact (see Statistics::ignored).
   ignore,
   fail,  ///< throws InvalidStep, which names the first such pair
 };
@@ -41,29 +41,26 @@ struct PairFilter {
   /// components_of numbers connected objects in this way.
   std::vector<Index> group_of_vertex;
   Index group_count = 1;
-  /// group_count x group_count, symmetric, row-major; 0 leaves out the pairs of these two groups. Empty: none are left
-  /// out.
+  /// group_count x group_count, symmetric, row-major; 0 skips the pairs of these two groups. Empty: none are skipped.
   std::vector<std::uint8_t> groups_may_touch = std::vector<std::uint8_t>();
-  /// Asked, after the groups, for each pair that may still be in the answer; false leaves the pair out. Must be safe to
+  /// Asked, after the groups, for each pair that may still be in the answer. False leaves the pair out. Must be safe to
   /// call from several threads. Vertices as in Contact.
   std::function<bool(PairKind, const std::array<Index, 4>&)> accepts = nullptr;
-  /// Leaves out pairs whose features are fewer than `rings` edges apart, on the shortest way along the mesh from a
-  /// vertex of one to a vertex of the other; >= 1. 1 costs nothing: it leaves out pairs with a common vertex, which
-  /// never count. 2 also leaves out features that an edge connects, and so on. Tested after `accepts`, only for pairs
-  /// that would be in the answer.
+  /// Skips pairs whose features are fewer than `rings` edges apart, on the shortest way along the mesh from a vertex of
+  /// one to a vertex of the other. At least 1. 1 costs nothing: it skips pairs with a common vertex, which never count.
+  /// 2 also skips features that an edge connects, and so on. Tested after `accepts`, only for pairs that would be in
+  /// the answer.
   int rings = 1;
-  /// Leaves out pairs within one group (no self-contact). `group_of_vertex`: as above. Memory grows with the square of
-  /// the number of groups.
-  /// Returns such a filter.
-  /// Throws InvalidOptions if a group is 2^31 - 1.
+  /// Skips pairs within one group (no self-contact). `group_of_vertex`: as above. Memory grows with the square of the
+  /// number of groups. Returns such a filter. Throws InvalidOptions if a group is 2^31 - 1.
   [[nodiscard]] static PairFilter no_self_contact(std::vector<Index> group_of_vertex);
-  /// Leaves out pairs of two static groups, and pairs within a static group. `is_static`: one flag a group.
-  /// Returns such a filter.
+  /// Skips pairs of two static groups, and pairs within a static group. `is_static`: one flag a group. Returns such a
+  /// filter.
   [[nodiscard]] static PairFilter no_static_pairs(std::vector<Index> group_of_vertex,
                                                   const std::vector<bool>& is_static);
 };
 
-/// What a detector is made with. Every member has an initializer, so that {.threads = 1} compiles without a warning.
+/// The options of a detector. Every member has an initializer, so {.threads = 1} compiles without a warning.
 struct Options {
   /// Threads to use, >= 0; 0: as many as the caller's oneTBB arena gives. No more than oneTBB allows the process (its
   /// global_control; by default one a core). The answer does not depend on it; Statistics::threads is the number used.
@@ -77,7 +74,7 @@ struct Options {
   std::vector<double> radii = {};
   Isa isa = Isa::best;
   PairFilter filter = PairFilter();
-  /// Asked again and again during a question, a thousand times a second or more; must be safe to call from several
+  /// Asked again and again during a question, a thousand times a second or more. Must be safe to call from several
   /// threads. Once it returns true, the question throws Cancelled; the detector answers the next question as usual.
   std::function<bool()> is_cancelled = nullptr;
 };
@@ -100,7 +97,7 @@ struct PathOptions {
 
 /// Options of one question about the bodies of a world where they are at t=0.
 struct PoseOptions {
-  bool include_static = false;  ///< also ask about two bodies that are both Static
+  bool include_static = false;  ///< also query two bodies that are both Static
 };
 
 }  // namespace tamis

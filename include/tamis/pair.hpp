@@ -32,11 +32,11 @@ struct PairOptions {
   double tolerance = PathOptions().tolerance;  ///< for a path, as in PathOptions
   int threads = 0;      ///< for a list, as in Options; 0: as many as the caller's oneTBB arena gives
   Isa isa = Isa::best;  ///< for a list; changes speed only
-  /// For a list or a path, as in Options: asked again and again; once it returns true, the call throws Cancelled.
+  /// For a list or a path, as in Options: asked again and again. Once it returns true, the call throws Cancelled.
   std::function<bool()> is_cancelled = nullptr;
 };
 
-/// Decides a vertex p against a face a b c, each point moving on a straight line; the arrays hold p a b c. May be
+/// Decides a vertex p against a face a b c, each point moving on a straight line. The arrays hold p a b c. May be
 /// called from several threads. Returns whether and when they touch. Throws InvalidStep on NaN or infinity,
 /// InvalidOptions on an option outside its range.
 [[nodiscard]] PairResult vertex_face(const std::array<Point, 4>& start, const std::array<Point, 4>& end,
@@ -51,7 +51,7 @@ struct PairOptions {
 [[nodiscard]] PairResult vertex_vertex(const std::array<Point, 2>& start, const std::array<Point, 2>& end,
                                        const PairOptions& = {});
 
-/// One pair of a list: what a broad phase hands on.
+/// One pair of a list, such as a broad phase returns.
 struct FeaturePair {
   PairKind kind;
   /// Rows of the step's positions, in the order of the functions above: p a b c, a0 a1 b0 b1, p a b, or p q. Entries
@@ -62,7 +62,7 @@ struct FeaturePair {
 /// Decides a list of pairs: the narrow phase. Writes to `results[i]` the answer about pairs[i], bit for bit that of the
 /// function for one pair, many times faster. The positions may have any number of rows, the same at both ends; only
 /// rows that pairs name are read.
-/// Throws InvalidStep, naming the first such pair, if a kind does not exist, an index is no row, or a
+/// Throws InvalidStep, naming the first such pair, if a kind does not exist, an index is not a row, or a
 /// coordinate is not finite; also unless there are as many results as pairs. Throws InvalidOptions on an option outside
 /// its range.
 void narrow_phase(std::span<const FeaturePair> pairs, const Step& step, std::span<PairResult> results,

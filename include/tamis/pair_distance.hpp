@@ -13,7 +13,7 @@ namespace tamis {
 /// Throws InvalidStep as narrow_phase does.
 [[nodiscard]] NearPair distance_of(const FeaturePair& pair, const Positions& positions);
 
-/// Finds how far one pair may go so that it keeps at least the fraction `keep` of its distance at t=0, as
+/// Finds how far one pair may go so it keeps at least the fraction `keep` of its distance at t=0, as
 /// Detector::safe_step. The distance that counts is what exceeds the minimum separation. Searches up to options.latest.
 /// Returns a bracket of the time. A pair that keeps its fraction until options.latest has this as `toi_lower`.
 /// Throws InvalidOptions unless 0 <= keep < 1, InvalidStep as narrow_phase does.

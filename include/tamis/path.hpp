@@ -28,13 +28,13 @@ class Path {
 
   virtual Index vertex_count() const = 0;
 
-  /// Writes where the vertices are at `time` in [0,1], one point and one error for each: no coordinate is off by more
+  /// Writes where the vertices are at `time` in [0,1], one point and one error for each. No coordinate is off by more
   /// than the error, >= 0, in the unit of the positions.
   virtual void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                          std::span<double> errors) const = 0;
 
-  /// The same, as precisely as the path can: asked about pairs that points_at leaves undecided. By default the
-  /// positions of points_at.
+  /// The same, as precisely as the path can, for pairs that points_at leaves undecided. By default the positions of
+  /// points_at.
   virtual void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const;
 
   /// Writes for each vertex a bound, >= 0, of its deviation: its Euclidean distance, at any time t of [from, to], from
@@ -49,8 +49,8 @@ class Path {
   /// slide past each other on planes orthogonal to d are proven apart by it.
   virtual void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const;
 
-  /// The motion of a pair's vertices in a frame that one rigid motion carries, if the path knows such a motion: of two
-  /// bodies that a third one holds it is the third one's. Pairs are decided in that frame. By default none.
+  /// The motion of a pair's vertices in a frame that one rigid motion carries, if the path knows such a motion. Two
+  /// bodies that a third one holds have the motion of the third. Pairs are decided in that frame. By default none.
   virtual std::optional<CarriedPath> carried(std::span<const Index> vertices) const;
 };
 

@@ -37,7 +37,7 @@ concept MatrixLike = requires(const M& m) {
   m.rows();
   m.cols();
 };
-/// A matrix that is no view: its memory goes with it.
+/// A matrix that is not a view: its memory goes with it.
 template <class M>
 concept OwningMatrix = DenseMatrix<M> && requires {
   requires std::same_as<M, typename M::PlainObject>;
@@ -74,7 +74,7 @@ template <ContiguousRange R>
 using ElementOf = typename decltype(std::span(std::declval<const R&>()))::value_type;
 template <class R>
 concept PointRange = ContiguousRange<R> && ThreeDoubles<ElementOf<R>>;
-/// A range that is no view.
+/// A range that is not a view.
 template <class R>
 concept OwningRange = PointRange<R> && !std::ranges::enable_borrowed_range<R> && !std::ranges::enable_view<R>;
 

@@ -11,12 +11,12 @@ struct NearPair {
   PairKind kind;
   std::array<Index, 4> vertices;  ///< as in Contact
   /// The distance between the closed features, in the unit of the positions. Proven: off by at most 2^-41 of the
-  /// largest |component| of the differences between the pair's vertices, and by at most 2^-1075 more below the smallest
-  /// normal double (half the smallest double, as doubles lie no closer there).
+  /// largest |component| of the differences between the pair's vertices. Below the smallest normal double it is off by
+  /// at most 2^-1075 more: half the smallest double.
   double distance;
-  /// Weights of two closest points, as in Contact; parallel edges have many such points, and these are two of them.
-  /// weights_of is 0 exactly for the vertices that have no share in these points: of a face one vertex is left if the
-  /// point is a corner, two if it is on the border, three if it is inside.
+  /// Weights of two closest points, as in Contact. Parallel edges have many such points, and these are two of them.
+  /// weights_of is exactly 0 for the vertices that have no share in these points. Of a face one vertex has a share if
+  /// the point is a corner, two if it is on the border, three if it is inside.
   double u, v;
   /// Unit vector from the second feature's closest point to the first's. If they touch: along the normal if the common
   /// point is inside a face or inside two edges, else zero.

@@ -36,11 +36,10 @@ using RigidChain = std::vector<RigidLink>;
 /// Makes a chain of one link: rotation vector and position are linear in t, from one pose to the other.
 /// Returns the chain.
 [[nodiscard]] RigidChain interpolated_chain(const Pose& start, const Pose& end);
-/// Makes a chain that turns from `start` at constant speed about the fixed axis of `turn`, by |turn| radians, while one
-/// point of the body, `center` in its frame, goes straight to `end_position`: engines take the center of mass. Any
+/// Makes a chain that turns from `start` at constant speed about the fixed axis of `turn`, by |turn| radians. Meanwhile
+/// one point of the body, `center` in its frame, goes straight to `end_position`. Engines take the center of mass. Any
 /// angle: 2 pi is a full turn. With a center other than the origin, places are off by some 1e-15 of the center's
-/// distance from the body's origin, and of the body's distance from the world's origin.
-/// Returns a chain of two links.
+/// distance from the body's origin, and of the body's distance from the world's origin. Returns a chain of two links.
 [[nodiscard]] RigidChain turned_chain(const Pose& start, const Point& turn, const Point& end_position,
                                       const Point& center = {0, 0, 0});
 /// Makes a chain from one pose to the other by the shorter turn about a fixed axis, at constant speed (slerp), while

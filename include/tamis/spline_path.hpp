@@ -7,7 +7,7 @@
 
 namespace tamis {
 
-/// The common base of BezierPath and CatmullRomPath: x(t) is a sum of given points with weights that depend on the time
+/// The common base of BezierPath and CatmullRomPath. x(t) is a sum of given points with weights that depend on the time
 /// alone. [0,1] has pieces of equal length, on each of which |x''| has a bound.
 class SplinePath : public Path {
  public:
@@ -38,7 +38,7 @@ class SplinePath : public Path {
 /// Each vertex on a Bezier curve: every polynomial motion can be written so.
 class BezierPath final : public SplinePath {
  public:
-  /// `control_points[i][v]`: the i-th control point of vertex v; their number is the degree plus one, at least 1.
+  /// `control_points[i][v]`: the i-th control point of vertex v. Their number is the degree plus one, at least 1.
   /// Throws InvalidPath.
   explicit BezierPath(std::vector<std::vector<Point>> control_points);
 
@@ -47,7 +47,7 @@ class BezierPath final : public SplinePath {
 };
 
 /// Through frames at equal distances of time, smoothly: a cubic between two frames, with the slope (next - previous) /
-/// 2 at each frame. At the first and the last frame the slope is that of the chord (Catmull, Rom 1974).
+/// 2 at each frame. At the first and the last frame it is the slope of the chord (Catmull, Rom 1974).
 class CatmullRomPath final : public SplinePath {
  public:
   /// `frames[i][v]`: where vertex v is at t = i / (frames - 1); at least 2. Throws InvalidPath.

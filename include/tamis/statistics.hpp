@@ -17,7 +17,7 @@ struct StageCount {
   std::uint64_t vv = 0;
 };
 
-/// Wall-clock seconds of each part. `traverse`, `filter` and `solve` share one pass over the tree; its time is divided
+/// Wall-clock seconds of each part. `traverse`, `filter` and `solve` share one pass over the tree. Its time is divided
 /// in proportion to their sums over the threads. `build` includes listing pairs ahead.
 struct Seconds {
   double bounds = 0;

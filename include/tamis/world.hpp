@@ -50,8 +50,8 @@ struct Static {
 /// `chain_between`). If no rotation of the chain changes, each vertex goes straight, from its start rounded to doubles
 /// to its end rounded to doubles. In one step the links together turn by no more than 4096 radians. No rotation vector,
 /// not even of a static body, is longer than 2^32 (docs/worlds.md, "How far a body may turn"). Bodies whose chains
-/// begin with equal links move relative to each other by the links behind these alone: bodies that one gripper holds
-/// are told its links, then a constant one each.
+/// begin with equal links move relative to each other by the links behind these alone. Give bodies that one gripper
+/// holds its links, then a constant one each.
 struct Rigid {
   RigidChain chain;
 };
@@ -63,12 +63,12 @@ struct Deforming {
 
 using BodyMotion = std::variant<Static, Rigid, Deforming>;
 
-/// The number of a body in its world: 0, 1, 2, ... in the order of World::add; never given twice.
+/// The number of a body in its world: 0, 1, 2, ... in the order of World::add. Never given twice.
 using BodyId = Index;
 
-/// A contact of two bodies. Its vertices are those of the bodies' own meshes: first those of the feature of
-/// `bodies[0]`, then those of the feature of `bodies[1]`. The features are in the order of Contact; of two edges the
-/// edge of the body with the smaller number is first.
+/// A contact of two bodies. Its vertices are numbered in the bodies' own meshes: first the vertices of the feature of
+/// `bodies[0]`, then of the feature of `bodies[1]`. The features are in the order of Contact. Of two edges the edge of
+/// the body with the smaller number is first.
 struct BodyContact : Contact {
   std::array<BodyId, 2> bodies;
 };
@@ -98,15 +98,15 @@ struct BodyStep {
 /// Bodies, and the questions of a Detector about them. During t in [0,1] each body moves as it was told last. Pairs of
 /// bodies that are far from each other cost next to nothing, whatever their meshes.
 ///
-/// Items of other pairs that may touch are gathered and given to detectors, which the world keeps: one for each
-/// deforming body by itself, one for pairs of bodies all of whose vertices go straight, one for pairs of which a body
-/// turns. So answers are proven as those about a Step or a Path. One question or change at a time: a second one throws
-/// Busy. A change that throws, also for want of memory, has changed nothing. The answers do not depend on the number of
+/// Items of other pairs that may touch are gathered and given to detectors, which the world keeps. Each deforming body
+/// by itself has one. Pairs of bodies all of whose vertices go straight share one. Pairs with a body that turns share
+/// one. So answers are proven as for a Step or a Path. One question or change at a time: a second one throws Busy. A
+/// change that throws, also if memory is exhausted, has changed nothing. The answers do not depend on the number of
 /// threads, on the instruction set, or on earlier questions.
 class World {
  public:
   /// Makes a world without bodies. Of the options, `threads`, `min_separation`, `isa`, `is_cancelled` and the filter's
-  /// `rings` count; everything else is set by body.
+  /// `rings` count. Everything else is set by body.
   /// Throws InvalidOptions, also for an instruction set that this machine lacks.
   explicit World(Options options = {});
   ~World();
@@ -175,29 +175,24 @@ class World {
   /// Finds the first contact of each of many motions of some bodies, while all others move as they were told: for
   /// planners, which move from configuration to configuration. `motions`: for the first motion one entry for each of
   /// `bodies`, in their order, then for the second, and so on. Threads share the motions, each with a copy of the
-  /// world's bodies. Afterwards the bodies have the motions of before.
-  /// Returns an answer for each motion, with the bits that it has alone.
-  /// Throws InvalidOptions if a body does not exist or is named twice, or if the number of motions is no multiple of
-  /// that of bodies. Throws InvalidStep as `add`, naming the motion.
+  /// world's bodies. Afterwards the bodies have the motions of before. Returns an answer for each motion, with the bits
+  /// that it has alone. Throws InvalidOptions if a body does not exist or is named twice, or if the number of motions
+  /// is not a multiple of the number of bodies. Throws InvalidStep as `add`, naming the motion.
   [[nodiscard]] std::vector<EarliestBodyContact> earliest_many(std::span<const BodyId> bodies,
                                                                std::span<const BodyMotion> motions,
                                                                const PathOptions& = {});
-  /// Asks whether the motion of all bodies is free of contacts.
-  /// Returns true if that is proven.
-  /// Throws as `contacts`.
+  /// Tests whether the motion of all bodies is free of contacts. Returns true if that is proven. Throws as `contacts`.
   [[nodiscard]] bool is_free(const PathOptions& = {});
 
   /// Finds pairs of features within `distance` plus both radii where all bodies are at t=0, rounded to doubles. This
   /// question and the next two skip two bodies that are both Static, even where they pass through each other, unless
-  /// PoseOptions::include_static is set: ask about all of them once, before the first step.
-  /// Returns the pairs sorted as contacts.
+  /// PoseOptions::include_static is set. Set it once, before the first step. Returns the pairs sorted as contacts.
   /// Throws InvalidOptions unless `distance` is finite and >= 0.
   [[nodiscard]] std::vector<BodyNearPair> pairs_within(double distance, const PoseOptions& = {});
   /// Finds edges that pass through triangles at t=0.
   /// Returns them sorted by bodies, edge and face.
   [[nodiscard]] std::vector<BodyIntersection> intersections(const PoseOptions& = {});
-  /// Asks whether there is any intersection. Ends at the first one.
-  /// Returns true if there is one.
+  /// Tests whether there is any intersection. Ends at the first one. Returns true if there is one.
   [[nodiscard]] bool has_intersection(const PoseOptions& = {});
 
   /// Finds how far all bodies may go, as Detector::safe_step. If one of two bodies turns, PathOptions::tolerance

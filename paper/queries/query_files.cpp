@@ -15,7 +15,7 @@ std::optional<PairKind> kind_of(const std::string& folder) {
   return std::nullopt;
 }
 
-/// None if it is no JSON file, nor a CSV file whose kind a folder above tells. The nearest such folder counts.
+/// None if it is not JSON file, nor a CSV file whose kind a folder above tells. The nearest such folder counts.
 std::optional<QueryFile> query_file(const fs::path& path, const std::string& name) {
   std::error_code error;
   fs::path folder = fs::absolute(path, error).lexically_normal().parent_path();

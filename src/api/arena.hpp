@@ -1,4 +1,4 @@
-// The oneTBB arena in which a question runs: the caller's, or one with a number of threads of its own.
+// The oneTBB arena that runs a question: the caller's, or one with a number of threads of its own.
 #pragma once
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -29,7 +29,7 @@ class Arena {
   static int threads_here() { return tbb::this_task_arena::max_concurrency(); }
 
  private:
-  /// The most threads to ask oneTBB for: beyond these it warns on stderr, and a million exhausts its memory.
+  /// The most threads to request from oneTBB: beyond these it warns on stderr, and a million exhausts its memory.
   static int most_threads() {
     return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
   }

@@ -9,7 +9,7 @@
 namespace tamis {
 
 /// Sorts by kind, then vertices; keeps its scratch memory from call to call. Runs in the caller's oneTBB arena. Several
-/// threads call `pause` now and then; if it throws, sorting ends and the contacts are as before.
+/// threads call `pause` now and then. If it throws, sorting ends and the contacts are as before.
 class ContactSorter {
  public:
   void sort(std::vector<Contact>& contacts, Index vertex_count, const std::function<void()>& pause);

@@ -1,5 +1,5 @@
 // The library's own access to a detector: to make one with another engine (validation, order and curved motion are the
-// same), to cut a path at given times, and to ask its state.
+// same), to cut a path at given times, and to reach its state.
 #pragma once
 #include <functional>
 #include <span>
@@ -13,7 +13,7 @@ namespace tamis {
 /// Makes an engine, which keeps references to mesh and options. Both outlive the engine.
 using MakeEngine = std::function<std::unique_ptr<Engine>(const Mesh&, const Options&)>;
 
-/// A path, and the ends of its pieces: ascending, the last one 1; if empty, deviations determine them.
+/// A path, and the ends of its pieces: ascending, the last one 1. If empty, deviations determine them.
 struct CutPath {
   const Path& path;
   std::span<const double> ends = {};
@@ -23,10 +23,10 @@ class DetectorAccess {
  public:
   /// Calls `make_engine` once, with the mesh and validated options. Throws InvalidOptions.
   static Detector make(Mesh mesh, Options options, const MakeEngine& make_engine);
-  /// Locks the state for one question that is asked of the state itself (api/detector_state.hpp). Throws Busy.
+  /// Locks the state for one question to the state itself (api/detector_state.hpp). Throws Busy.
   static Detector::LockedState lock(const Detector& detector);
   /// For a mesh that is a part of a larger scene: gives the next questions about a step that scene's frame. Throws
-  /// Busy. REQUIRES (not checked: O(n)): it was made of that step, and of vertices among which those of the mesh are.
+  /// Busy. REQUIRES (not checked: O(n)): it was made of that step, and of vertices that include the mesh's.
   static void use_frame(Detector& detector, const BoxFrame& of_scene);
 };
 

@@ -33,7 +33,7 @@ EarliestContact Detector::State::find(const CutPath& path, const PathOptions& as
     if (asked.at_start == AtStart::fail && c.toi_lower == 0)
       throw InvalidStep(features_text(c.kind, c.vertices) +
                         " touch at the start of the path, or are nearer than can be told: move them apart, leave the "
-                        "pair out, or ask with at_start ignore");
+                        "pair out, or pass at_start ignore");
   return first_of(found.contacts());
 }
 

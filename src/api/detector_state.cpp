@@ -105,7 +105,7 @@ void Detector::State::refuse_start(const Query& query, const Contact& touching) 
   const double separation = query.separations.between(touching.kind, touching.vertices);
   throw InvalidStep(features_text(touching.kind, touching.vertices) + " touch at the start of the step" +
                     (separation > 0 ? ", within " + number_text(separation) + " of each other" : "") +
-                    ": move them apart, leave the pair out, or ask with at_start ignore");
+                    ": move them apart, leave the pair out, or pass at_start ignore");
 }
 
 EarliestContact Detector::State::find(const Step& step, const QueryOptions& asked, Question question,

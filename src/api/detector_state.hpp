@@ -34,7 +34,7 @@ struct Detector::State {
     return found.contacts();
   }
   EarliestContact earliest(const auto& motion, const auto& asked) { return find(motion, asked, Question::earliest); }
-  /// The first contact of each of these pairs of bodies that has one: those in `found`. To be asked of a world's mesh.
+  /// The first contact of each of these pairs of bodies that has one: the contacts in `found`. For a world's mesh.
   const std::vector<Contact>& first_contacts(const auto& motion, const auto& asked, const BodyPairs& each_of) {
     find(motion, asked, Question::earliest, &each_of);
     return found.contacts();
@@ -82,8 +82,8 @@ struct Detector::State {
   /// Throws InvalidOptions, InvalidStep.
   Query validated_query(const Step& step, const QueryOptions& asked, Question question = Question::all_contacts,
                         const BodyPairs* each_of = nullptr);
-  /// Finds contacts, which `found` holds then; of `earliest` the first, which is returned, or with `each_of` those of
-  /// the pairs of bodies. Throws InvalidOptions, InvalidStep, InvalidPath.
+  /// Finds contacts, which `found` holds then. Of `earliest` the first, which is returned, or with `each_of` the first
+  /// contacts of the pairs of bodies. Throws InvalidOptions, InvalidStep, InvalidPath.
   EarliestContact find(const Step& step, const QueryOptions& asked, Question question,
                        const BodyPairs* each_of = nullptr);
   EarliestContact find(const CutPath& path, const PathOptions& asked, Question question,

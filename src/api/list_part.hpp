@@ -14,8 +14,8 @@ struct ListPart {
   const PairOptions& options;  ///< valid
 };
 
-/// Decides pairs[i] into results[i]. Returns false if some pair is not legal: no valid kind, a vertex that is no row of
-/// the step, a coordinate that is not finite. The results then have no meaning. Throws Cancelled. REQUIRES: as many
+/// Decides pairs[i] into results[i]. Returns false if some pair is not legal: no valid kind, a vertex that is not a row
+/// of the step, a coordinate that is not finite. The results then have no meaning. Throws Cancelled. REQUIRES: as many
 /// positions at both ends of the step, as many results as pairs.
 bool decide_part_of_list(const ListPart& part, std::span<PairResult> results);
 

@@ -33,7 +33,7 @@ std::string fault_of(const FeaturePair& pair, const Step& step) {
   for (std::size_t i = 0; i < vertex_count(pair.kind); ++i) {
     const Index v = pair.vertices[i];
     if (v < 0 || v >= step.start.count())
-      return "vertex " + std::to_string(v) + " is no row of the step's " + std::to_string(step.start.count()) +
+      return "vertex " + std::to_string(v) + " is not a row of the step's " + std::to_string(step.start.count()) +
              " positions: give indices in [0, " + std::to_string(step.start.count()) + ")";
     for (const auto& [positions, when] : {std::pair(step.start, "start"), std::pair(step.end, "end")})
       if (!is_finite(positions[v]))

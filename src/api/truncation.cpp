@@ -22,7 +22,7 @@ constexpr double kFarthestInMeanEdges = 0.25, kMuchFiner = 0.25;
 /// Rounds in which only broken pairs get planes. In a stack each body stops one round after the one below; recorded
 /// steps take 3 to 20.
 constexpr int kRounds = 32;
-/// Rounds in which all pairs have planes, and only vertices of broken pairs go back; after these rounds all vertices go
+/// Rounds in which all pairs have planes, and only vertices of broken pairs go back. After these rounds all vertices go
 /// back to the start.
 constexpr int kRoundsOnOwnSides = 8;
 /// A pair that starts within its separation must keep this part of its distance.

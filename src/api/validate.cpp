@@ -78,9 +78,10 @@ void validate_layout(const Positions& positions, const char* what) {
   if (positions.count() < 0)
     throw InvalidStep(std::string(what) + " has more than 2^31 - 1 positions: give one row a vertex");
   if (positions.count() > 0 && (!positions.data() || positions.stride() < 3))
-    throw InvalidStep(std::string(what) +
-                      " is no n x 3 array of doubles, row by row: give three columns next to each other (of Eigen a "
-                      "RowMajor matrix or a Matrix3Xd, or points_of(matrix)) and a stride of at least 3");
+    throw InvalidStep(
+        std::string(what) +
+        " is not an n x 3 array of doubles, row by row: give three columns next to each other (of Eigen a "
+        "RowMajor matrix or a Matrix3Xd, or points_of(matrix)) and a stride of at least 3");
 }
 
 }  // namespace
@@ -149,7 +150,7 @@ void validate_stored(const Step& step, const Mesh& mesh, StoredType stored) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double start = step.start[v][k], end = step.end[v][k];
       if (rounded(start, stored) != start)
-        refuse("start", v, start, ", which is no float32: give the start as it is stored, in numbers of float32");
+        refuse("start", v, start, ", which is not float32: give the start as it is stored, in numbers of float32");
       if (!std::isfinite(rounded(end, stored)))
         refuse("end", v, end, ", which is beyond all numbers of float32: give positions below 3.4e38");
     }

@@ -27,8 +27,8 @@ void validate_layout(const Step& step);
 void validate(const QueryOptions& options);
 /// The same for a path: throws unless the tolerance is in (0, 1], too.
 void validate(const PathOptions& options);
-/// Throws InvalidStep: the start of a used vertex is no number of kind `stored`, or its end, rounded to such numbers,
-/// is infinite.
+/// Throws InvalidStep: the start of a used vertex is not a number of kind `stored`, or its end, rounded to such
+/// numbers, is infinite.
 void validate_stored(const Step& step, const Mesh& mesh, StoredType stored);
 
 /// Throws InvalidOptions unless each option lies in its range.

@@ -6,7 +6,7 @@
 
 namespace tamis {
 
-/// Held while a question is answered. Each detector and each world has one; so may any data that a caller keeps beside
+/// Held while a question is answered. Each detector and each world has one. So may any data that a caller keeps beside
 /// them.
 class BusyGuard {
  public:

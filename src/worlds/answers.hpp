@@ -38,7 +38,7 @@ Row named(const Pair& pair, const Gathered& gathered) {
   return row;
 }
 
-/// Keeps the earliest pair of several detectors in `first` and `time`; of two pairs at one time the first by
+/// Keeps the earliest pair of several detectors in `first` and `time`. Of two pairs at one time the first by
 /// is_before(). `other` is of `whose` mesh.
 template <class Row, class Pair, class Whose>
 void keep_earlier(std::optional<Row>& first, double& time, const std::optional<Pair>& other, double other_time,

@@ -89,7 +89,7 @@ Point Body::end_of(Index vertex) const {
   return deforming() ? deforming()->end[at(vertex)] : at_end_.of(shape_->points[at(vertex)]);
 }
 
-/// Vertices of a body that turns are on their curves; all others move straight from double to double, as in a step.
+/// Vertices of a body that turns are on their curves. All others move straight from double to double, as in a step.
 BodyPoints Body::points_at(double time) const {
   const bool turns = motion_kind_ == MotionKind::turning;
   const RoundedTransform place = turns ? place_at(time) : RoundedTransform{};

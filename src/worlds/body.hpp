@@ -17,7 +17,7 @@ inline constexpr double kMostPieces = 4096;
 /// The kinds of motion that questions tell apart: all vertices stay, go straight, or go on curves.
 enum class MotionKind : std::uint8_t { still, straight, turning };
 
-/// The chain of a body that does not deform (a static one's leads from its pose to itself); empty if it deforms.
+/// The chain of a body that does not deform (a static one's leads from its pose to itself). Empty if it deforms.
 RigidChain chain_of(const BodyMotion& motion);
 
 /// What a motion holds besides itself, if it deforms.
@@ -62,7 +62,7 @@ class Body {
   Point end_of(Index vertex) const;
   /// All vertices at a time of the step, with an error bound.
   BodyPoints points_at(double time) const;
-  /// The transform from its frame to the world's at a time of the step; if the body does not turn, only at t=0 or 1.
+  /// The transform from its frame to the world's at a time of the step. If the body does not turn, only at t=0 or 1.
   /// Means nothing if the body deforms.
   RoundedTransform place_at(double time) const {
     return time == 0 ? at_start_ : time == 1 ? at_end_ : transform_at(chain(), time);

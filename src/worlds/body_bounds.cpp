@@ -94,7 +94,7 @@ ItemBounds BodyOnPiece::items(Index leaf) const {
 }
 
 /// Restricts bounds to the piece. Vertices of a body that does not turn move straight during the whole step, so its
-/// bounds at both ends are interpolated; those of a body that turns are of the piece already.
+/// bounds at both ends are interpolated. Those of a body that turns are of the piece already.
 MovingBounds BodyOnPiece::cut(const Box& at_start, const Box& at_end) const {
   const Box start = unbounded_if_unknown(at_start), end = unbounded_if_unknown(at_end);
   if (body_.motion_kind() != MotionKind::straight) return {start, end};

@@ -28,7 +28,7 @@ struct MovingBounds {
 /// axis. NaN proves nothing.
 inline bool may_meet(const MovingBounds& a, const MovingBounds& b, double separation) {
   TimeClip<double> clip({0, 1});
-  constexpr double kPart = 0.125;  // of each gap, so that no difference overflows
+  constexpr double kPart = 0.125;  // of each gap, so no difference overflows
   const auto gap = [&](double low, double high) { return kPart * low - kPart * high - kPart * separation; };
   const auto are_apart = [&](const MovingBounds& below, const MovingBounds& above, std::size_t k) {
     const double g0 = gap(above.start.low[k], below.start.high[k]), g1 = gap(above.end.low[k], below.end.high[k]);

@@ -5,7 +5,7 @@ namespace tamis {
 BoxTree::BoxTree(std::span<const Point> centers) : items_(centers.size()) {
   Box all;
   for (const Point& center : centers) all.include(center);
-  // Scaled to [0,1], so that centers fit floats whatever the unit of length. Centers beyond that (overflow) become 0,
+  // Scaled to [0,1], so centers fit floats whatever the unit of length. Centers beyond that (overflow) become 0,
   // which only makes the order poor.
   double extent = 0;
   for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, all.high[k] - all.low[k]);

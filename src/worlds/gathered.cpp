@@ -10,7 +10,7 @@ namespace {
 
 const Body& member(const BodyList& bodies, BodyId id) { return *bodies[at(id)]; }
 
-/// A greedy coloring of the bodies: bodies that may meet have different colors; passive bodies have 0.
+/// A greedy coloring of the bodies: bodies that may meet have different colors. Passive bodies have 0.
 std::map<BodyId, Index> colors_of(const NearItems& items, const BodyList& bodies, MotionKind least) {
   std::map<BodyId, std::vector<BodyId>> met_before;  // for each body those with smaller numbers
   for (const BodyPair& pair : items.pairs) met_before[pair[1]].push_back(pair[0]);

@@ -120,7 +120,7 @@ void World::State::refuse_touching_start(PairKind kind, const PairVertices& vert
       a == b ? "body " + std::to_string(a) : "bodies " + std::to_string(a) + " and " + std::to_string(b);
   throw InvalidStep(features_text(kind, vertices) + " of " + which +
                     " touch at the start, or are nearer than can be told: move them apart, keep the bodies apart by "
-                    "set_may_touch, or ask with at_start ignore");
+                    "set_may_touch, or pass at_start ignore");
 }
 
 void World::State::refuse_far(const Gathered& gathered) const {

@@ -63,7 +63,7 @@ struct World::State {
   /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
   static std::vector<double> times_of_pieces(const BodyList& seen, const std::vector<BodyPair>& pairs,
                                              const NearDistance& distance);
-  /// Asks about pairs of which one body turns, in the world or in a frame (`seen`, as for gather()); returns false if
+  /// Asks about pairs of which one body turns, in the world or in a frame (`seen`, as for gather()). Returns false if
   /// no more is to be asked.
   template <class Ask>
   bool ask_turning(Gathering& gathering, const BodyList& seen, const RigidChain& carrier,

@@ -192,8 +192,8 @@ TEST(NarrowPhase, BadPairsAreNamedTheFirstOfThem) {
   auto pairs = cases.pairs;
   pairs[9000].vertices[1] = -1;
   pairs[11000].vertices[0] = static_cast<Index>(cases.start.size());
-  EXPECT_EQ(sentence<InvalidStep>(pairs, step),
-            "pair 9000: vertex -1 is no row of the step's " + count + " positions: give indices in [0, " + count + ")");
+  EXPECT_EQ(sentence<InvalidStep>(pairs, step), "pair 9000: vertex -1 is not a row of the step's " + count +
+                                                    " positions: give indices in [0, " + count + ")");
   pairs[70].kind = static_cast<PairKind>(kPairKinds);
   EXPECT_EQ(sentence<InvalidStep>(pairs, step),
             "pair 70: no kind has the number " + std::to_string(kPairKinds) + ": use one of the enumeration's names");
@@ -269,7 +269,7 @@ TEST(NarrowPhase, BadStepsAndOptionsAreRefused) {
   const std::vector<Point> two(2), three(3);
   EXPECT_EQ(sentence<InvalidStep>({}, {two, three}),
             "the step has 2 positions at its start and 3 at its end: give as many");
-  EXPECT_NE(sentence<InvalidStep>({}, {{nullptr, 2}, two}).find("the start of the step is no n x 3 array"),
+  EXPECT_NE(sentence<InvalidStep>({}, {{nullptr, 2}, two}).find("the start of the step is not an n x 3 array"),
             std::string::npos);
   EXPECT_NE(sentence<InvalidOptions>({}, {}, {.min_separation = -1}).find("give a finite distance"), std::string::npos);
   EXPECT_NE(sentence<InvalidOptions>({}, {}, {.threads = -1}).find("threads is -1"), std::string::npos);

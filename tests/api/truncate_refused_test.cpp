@@ -25,7 +25,7 @@ TEST(Truncate, RefusesAStartThatIsNoFloatAndAnEndBeyondAll) {
   Scene scene = two_falls(1, 0.1);
   scene.start = as_floats(scene.start);
   scene.start[3][2] = 0.1;
-  EXPECT_NE(refusal(scene).find("vertex 3 at the start of the step has the coordinate 0.1, which is no float32"),
+  EXPECT_NE(refusal(scene).find("vertex 3 at the start of the step has the coordinate 0.1, which is not float32"),
             std::string::npos)
       << refusal(scene);
   scene.start[3][2] = 1;

@@ -31,7 +31,7 @@ static_assert(kTaken<std::vector<Xyz>&>);
 static_assert(kTaken<RowMajor&> && kTaken<Eigen::Matrix3Xd&> && kTaken<Eigen::Map<const RowMajor>>);
 static_assert(kTaken<Eigen::Ref<const RowMajor>> && kTaken<decltype(std::declval<RowMajor&>().topRows(3))>);
 
-// Bug: what is no row of three doubles is read as if it were.
+// Bug: what is not a row of three doubles is read as if it were.
 static_assert(!kTaken<std::vector<Zyx>&> && !kTaken<std::vector<Integers>&> && !kTaken<std::vector<WithPointer>&>);
 static_assert(!kTaken<std::vector<std::vector<double>>&> && !kTaken<std::vector<Eigen::Vector4d>&>);
 static_assert(!kTaken<std::vector<Eigen::Vector3f>&> && !kTaken<std::vector<double>&> && !kTaken<tamis::Point&>);

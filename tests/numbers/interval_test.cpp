@@ -38,7 +38,7 @@ class Ends {
   std::uniform_real_distribution<double> uniform_{-1, 1};
 };
 
-/// An end that is no number proves nothing: that is what overflow leaves.
+/// An end that is not a number proves nothing: that is what overflow leaves.
 void expect_encloses(const Interval& x, const mpq_class& value, const char* operation) {
   EXPECT_TRUE(!std::isfinite(x.lower) || mpq_class(x.lower) <= value) << operation << ' ' << x.lower << ' ' << value;
   EXPECT_TRUE(!std::isfinite(x.upper) || mpq_class(x.upper) >= value) << operation << ' ' << x.upper << ' ' << value;

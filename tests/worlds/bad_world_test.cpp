@@ -197,7 +197,7 @@ TEST(BadWorld, FailsForWhatTouchesAtTheStart) {
   const PathOptions fail{.min_separation = 0.2, .at_start = AtStart::fail};
   const std::string sentence =
       "vertex 0 and face 0 1 2 of bodies 0 and 1 touch at the start, or are nearer than can be told: move them apart, "
-      "keep the bodies apart by set_may_touch, or ask with at_start ignore";
+      "keep the bodies apart by set_may_touch, or pass at_start ignore";
   expect_refused<InvalidStep>([&] { (void)world.contacts(fail); }, sentence);
   expect_refused<InvalidStep>([&] { (void)world.earliest(fail); }, sentence);
   expect_refused<InvalidStep>([&] { (void)world.is_free(fail); }, sentence);

@@ -67,7 +67,7 @@ JsonFile::JsonFile(std::string_view bytes, std::string name) : name_(std::move(n
     KeyedJson::sax_parse(bytes, &strict);
     root_ = KeyedJson::parse(bytes);
   } catch (const KeyedJson::parse_error& error) {
-    throw FileError(name_, line_of(bytes, error.byte), "is no JSON from here on: correct it");
+    throw FileError(name_, line_of(bytes, error.byte), "is not JSON from here on: correct it");
   } catch (const KeyedJson::out_of_range&) {
     throw FileError(name_, "", "holds a number beyond all doubles: correct it");
   }
@@ -84,37 +84,37 @@ JsonValue JsonValue::member(const std::string& key) const {
 }
 
 std::vector<std::string> JsonValue::keys() const {
-  if (!json_->is_object()) fail("is no object: write {...}");
+  if (!json_->is_object()) fail("is not an object: write {...}");
   std::vector<std::string> keys;
   for (const auto& [key, value] : json_->items()) keys.push_back(key);
   return keys;
 }
 
 std::vector<JsonValue> JsonValue::items(const char* what) const {
-  if (!json_->is_array()) fail(fmt::format("is no array: give {}", what));
+  if (!json_->is_array()) fail(fmt::format("is not an array: give {}", what));
   std::vector<JsonValue> items;
   for (const KeyedJson& item : *json_) items.emplace_back(item, *file_, fmt::format("{}[{}]", place_, items.size()));
   return items;
 }
 
 std::string JsonValue::text() const {
-  if (!json_->is_string()) fail("is no text: write it in quotes");
+  if (!json_->is_string()) fail("is not text: write it in quotes");
   return json_->get<std::string>();
 }
 
 Index JsonValue::index() const {
   if (!json_->is_number_unsigned() ||
       json_->get<std::uint64_t>() > static_cast<std::uint64_t>(std::numeric_limits<Index>::max()))
-    fail("is no index of a vertex: give a whole number, the first vertex being 0");
+    fail("is not an index of a vertex: give a whole number, the first vertex being 0");
   return json_->get<Index>();
 }
 
 std::vector<double> JsonValue::numbers(std::size_t count, const char* what) const {
   if (!json_->is_array() || json_->size() != count)
-    fail(fmt::format("is no array of {} numbers: give {}", count == 3 ? "three" : std::to_string(count), what));
+    fail(fmt::format("is not an array of {} numbers: give {}", count == 3 ? "three" : std::to_string(count), what));
   std::vector<double> numbers;
   for (const KeyedJson& number : *json_) {
-    if (!number.is_number()) fail(fmt::format("holds something that is no number: give {}", what));
+    if (!number.is_number()) fail(fmt::format("holds something that is not a number: give {}", what));
     numbers.push_back(number.get<double>());
   }
   return numbers;

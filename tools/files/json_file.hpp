@@ -51,7 +51,7 @@ class JsonValue {
 
 class JsonFile {
  public:
-  /// `name`: for messages. Throws FileError if the text is no JSON, has a key twice in one object, or nests arrays and
+  /// `name`: for messages. Throws FileError if the text is not JSON, has a key twice in one object, or nests arrays and
   /// objects deeper than 64 levels.
   JsonFile(std::string_view bytes, std::string name);
   JsonFile(const JsonFile&) = delete;

@@ -65,7 +65,7 @@ std::optional<Integer> to_integer(std::string_view word) {
   return value;
 }
 
-/// The double nearest to a decimal number, whole word; none if it is no number. Words such as "nan", and numbers
+/// The double nearest to a decimal number, whole word; none if it is not a number. Words such as "nan", and numbers
 /// beyond the largest double, give a value that is not finite.
 std::optional<double> to_double(std::string_view word);
 

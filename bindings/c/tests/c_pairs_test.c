@@ -64,7 +64,7 @@ static void lists_of_pairs(void) {
   EXPECT(tamis_narrow_phase(pairs, list, 3, NULL, r, sizeof r[0]) == TAMIS_INVALID_ARGUMENT);
   list[2].vertices[1] = 5;
   EXPECT(tamis_narrow_phase(pairs, list, 3, &step, r, sizeof r[0]) == TAMIS_INVALID_STEP);
-  EXPECT_SAYS(tamis_pairs_message(pairs), "pair 2: vertex 5 is no row of the step's 5 positions");
+  EXPECT_SAYS(tamis_pairs_message(pairs), "pair 2: vertex 5 is not a row of the step's 5 positions");
   list[1].kind = 256;
   EXPECT(tamis_narrow_phase(pairs, list, 3, &step, r, sizeof r[0]) == TAMIS_INVALID_STEP);
   EXPECT_SAYS(tamis_pairs_message(pairs), "pair 1: no kind");

@@ -32,7 +32,7 @@ def _array(given: npt.ArrayLike, name: str, error: type[Error], kinds: str, want
     try:
         array = np.asarray(given)
     except (TypeError, ValueError, OverflowError):  # for example rows of different lengths
-        raise error(f"{name} is {shown(given)}, which is no array: give {wanted}, as many in each row") from None
+        raise error(f"{name} is {shown(given)}, which is not an array: give {wanted}, as many in each row") from None
     if array.dtype.kind not in kinds:
         raise error(f"{name} is {shown(given)}, of the dtype {array.dtype}: give {wanted}")
     return array
@@ -50,7 +50,7 @@ def numbers(given: npt.ArrayLike, name: str, error: type[Error]) -> npt.NDArray[
 
 
 def _require_doubles(array: npt.NDArray[Any], name: str, error: type[Error]) -> None:
-    """Raise if a number is no double: an integer beyond 2^53, or one of more digits than a double has."""
+    """Raise if a number is not a double: an integer beyond 2^53, or one of more digits than a double has."""
     with np.errstate(over="ignore"):  # what becomes infinite is refused
         nearest = array.astype(_DOUBLE)
     # Compared as what they were: NumPy would compare integers with doubles as doubles.
@@ -173,5 +173,5 @@ def pair_list(kind: npt.ArrayLike, vertices: npt.ArrayLike, error: type[Error]) 
         raise error(f"kind has {len(kinds)} entries, vertices {len(given)} rows: give as many, or one kind for all")
     wrong = (kinds < 0) | (kinds >= len(PairKind))
     if wrong.any():
-        raise error(f"kind holds {kinds[wrong][0]}, which is no kind of pair: give a PairKind")
+        raise error(f"kind holds {kinds[wrong][0]}, which is not a kind of pair: give a PairKind")
     return np.ascontiguousarray(np.broadcast_to(kinds, len(given)), dtype=np.uint8), given

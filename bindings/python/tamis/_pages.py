@@ -67,7 +67,7 @@ def place_for_page(path: str | os.PathLike[str] | None) -> pathlib.Path:
         return pathlib.Path(tempfile.mkdtemp(prefix="tamis-")) / "contacts.html"
     place = pathlib.Path(file_name(path, "path")).resolve()
     if place.suffix.lower() != ".html":
-        raise Error(f"{place} is no name for a page: let it end in .html, or use save() for other formats")
+        raise Error(f"{place} is not a name for a page: let it end in .html, or use save() for other formats")
     return place
 
 

@@ -115,7 +115,7 @@ BAD: dict[str, dict[str, Any]] = {
     "negative threads": {"threads": -1},
     "too many threads": {"threads": 2**40},
     "negative separation": {"min_separation": -1.0},
-    "separation that is no number": {"min_separation": float("nan")},
+    "separation that is not a number": {"min_separation": float("nan")},
     "groups of another size": {"groups": [0, 1]},
     "negative groups": {"groups": [-1] * 6},
     "groups that are no integers": {"groups": [0.5] * 6},

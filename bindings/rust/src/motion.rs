@@ -11,7 +11,7 @@ impl Pose {
         // SAFETY: the quaternion has four numbers, the position three.
         let status = unsafe { sys::tamis_pose_of_quaternion(quaternion.as_ptr(), position.as_ptr(), &mut pose) };
         check(status, || {
-            format!("{quaternion:?} at {position:?} is no pose: give a quaternion of unit length and finite numbers")
+            format!("{quaternion:?} at {position:?} is not a pose: give a quaternion of unit length and finite numbers")
         })?;
         Ok(pose)
     }

@@ -50,7 +50,7 @@ TEST(RigidQueries, ErrorsNameThePlace) {
   EXPECT_TRUE(test::contains(rigid_error_of(R"({"type":"vv"})"), "neither fv nor ee"));
   EXPECT_TRUE(test::contains(rigid_error_of(R"({"type":"ee"})"), "edge0: is missing"));
   EXPECT_TRUE(test::contains(rigid_error_of(edges(R"("vertex0":[7,8,9])")), "edge1.vertex1: is missing"));
-  EXPECT_TRUE(test::contains(rigid_error_of(edges(R"("vertex0":[7,8])")), "edge1.vertex0: is no array of three"));
+  EXPECT_TRUE(test::contains(rigid_error_of(edges(R"("vertex0":[7,8])")), "edge1.vertex0: is not an array of three"));
   EXPECT_TRUE(test::contains(rigid_error_of(edges(R"("vertex0":[7,"8",9])")), "edge1.vertex0: holds something"));
   EXPECT_TRUE(test::contains(rigid_error_of(edges(R"("vertex0":[7,1e999,9])")), "q.json"));
 }
@@ -87,7 +87,7 @@ TEST(RigidQueries, WhatNoQueryNeedsIsRefused) {
   EXPECT_EQ(parse_rigid_query("{" + quoted + edges().substr(1), "q.json").kind, PairKind::edge_edge);
 }
 
-// Bug: the answer of another file of that name; a table that is no table of answers taken for one.
+// Bug: the answer of another file of that name; a table that is not a table of answers taken for one.
 TEST(RigidQueries, AnswersAreFoundInTheTableAbove) {
   const test::TemporaryFolder folder;
   folder.write("all/truth.csv", "file,kind,touches,toi\nq.json,ee,0,\ninner/q.json,ee,1,0.5\n");

@@ -1,5 +1,5 @@
 // For how long is a pair apart along one axis? The axis is chosen for the pair and may turn with it. Along a fixed axis
-// each corner of the Minkowski difference moves linearly; along one that turns at a constant rate, quadratically. Both
+// each corner of the Minkowski difference moves linearly. Along one that turns at a constant rate, quadratically. Both
 // are sharper than a bound on the speed of the pair. For double and for SIMD lanes.
 #pragma once
 #include <limits>
@@ -42,12 +42,12 @@ class AxisClip {
     TAMIS_ASSERT(is_whole(m));
   }
 
-  /// A time until which, from `now` on, all corners are proven beyond the separation along the axis; no later than
+  /// A time until which, from `now` on, all corners are proven beyond the separation along the axis. No later than
   /// `now` if nothing is proven.
   T apart_until(const T& now, const TurningAxis<T>& axis) const {
     return (now + time_from(now, axis, T(1))) * T(1 - 4 * error_bounds::unit_roundoff<T>);
   }
-  /// A time since which, until `now`, all corners are proven beyond it; no earlier than `now` if nothing is proven.
+  /// A time since which, until `now`, all corners are proven beyond it. No earlier than `now` if nothing is proven.
   T apart_since(const T& now, const TurningAxis<T>& axis) const {
     return (now - time_from(now, axis, T(-1))) * T(1 + 4 * error_bounds::unit_roundoff<T>);
   }

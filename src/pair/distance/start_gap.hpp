@@ -1,5 +1,5 @@
 // Does a pair's clearance at t=0, bounded from below on the 13 axes of the 26-DOP, suffice for its speed?
-// Error bound: twice that of a projection and of a velocity, so that what is culled here is also beyond reach by the
+// Error bound: twice that of a projection and of a velocity, so what is culled here is also beyond reach by the
 // bounds in doubles of pair/narrow/kept_distance.hpp. Cost: about 150 operations.
 #pragma once
 #include "numbers/axes.hpp"

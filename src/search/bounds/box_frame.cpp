@@ -17,13 +17,13 @@ constexpr float kRounding = 0x1p-23f;
 /// coordinate. (A smaller gain is not worth it.)
 constexpr double kMuchNarrower = 8;
 
-/// Half of the frame's width, and its middle at both ends of the step; the scale follows from these.
+/// Half of the frame's width, and its middle at both ends of the step. The scale follows from these.
 struct Extent {
   double half;
   Point middle, middle_at_end;
 };
 
-/// The frame moves only if most of the scene moves with it; everything else would sweep across it.
+/// The frame moves only if most of the scene moves with it. Everything else would sweep across it.
 Extent extent_of(const EndBoxes& boxes, std::size_t vertices) {
   const Box both = joined(boxes.start, boxes.end);
   const double half = std::max(boxes.start.half_width(), boxes.end.half_width());
@@ -33,7 +33,7 @@ Extent extent_of(const EndBoxes& boxes, std::size_t vertices) {
 }
 
 /// The extent of the vertices near the finest place, if it is kNarrower times narrower than `all`; else `all`. Its half
-/// width is no less than the separation, half of which widens all boxes.
+/// width is no less than the separation. Half of the separation widens all boxes.
 Extent extent_of_finest(const SceneVertices& scene, double min_separation, const Extent& all) {
   constexpr double kNarrower = 64;  // six bits of the 17 that two kLaterMargins leave
   constexpr double kMost = 16;      // in an even cloud the farthest vertex is at two or three times the median
@@ -65,7 +65,7 @@ BoxFrame frame_of(const SceneVertices& scene, double min_separation) {
   BoxFrame frame{};
   frame.origin = finest.middle;
   frame.origin_at_end = finest.middle_at_end;
-  // One binary digit to spare, so that rounding of origin and half width stays inside [-1,1].
+  // One binary digit to spare, so rounding of origin and half width stays inside [-1,1].
   const int exponent = finest.half > 0 ? std::min(-2 - std::ilogb(finest.half), 1000) : 0;
   frame.scale = std::ldexp(1.0, exponent);
   frame.widening = boxes.end.half_width() / boxes.start.half_width();

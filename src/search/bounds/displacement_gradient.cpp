@@ -32,7 +32,7 @@ bool exceed(const SymmetricMatrix& m, double bound) {
 
 /// A lower bound of `most` and all eigenvalues, within 2^-12 of `most`. Positive pivots prove this up to a few
 /// roundings of the trace (Higham, Accuracy and Stability of Numerical Algorithms, theorem 10.3), far below 2^-30 for a
-/// matrix whose norm is below 2^10; for others the bound is 0.
+/// matrix whose norm is below 2^10. For others the bound is 0.
 double least_eigenvalue(const SymmetricMatrix& m, double most) {
   if (!(m.xx + m.yy + m.zz < 0x1p10)) return 0;
   if (exceed(m, most)) return std::max(most - 0x1p-30, 0.0);

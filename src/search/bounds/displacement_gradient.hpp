@@ -37,7 +37,7 @@ struct StretchBounds {
 
 StretchBounds stretch_bounds(const DisplacementGradient& gradient);
 
-/// Any gradient is valid, together with its residuals; so nothing is proven here, and NaN is an answer.
+/// Any gradient is valid, together with its residuals. So nothing is proven here, and NaN is an answer.
 struct GradientFit {
   DisplacementGradient gradient;
   Vec3<double> mean_position{}, mean_displacement{};  ///< positions at t=0

@@ -7,7 +7,7 @@
 
 namespace tamis {
 
-/// A place at each end of the step; half of the fine vertices are within `radius` of it.
+/// A place at each end of the step. Half of the fine vertices are within `radius` of it.
 struct FinePlace {
   Point start, end;
   double radius = 0;
@@ -30,9 +30,9 @@ std::size_t sample_place(std::size_t count, std::size_t i);
 
 inline constexpr std::size_t kMostSampled = 256;
 
-/// The place of those vertices that lie nearest to the next vertex by number, which most often is the other end of an
-/// edge. Nothing if they spread over more than `width`, or if there is no sample. A guess; it depends on the sample
-/// alone.
+/// Centre of the finest region: the vertices closest to their successor in index order. Successive indices are usually
+/// joined by an edge. Nothing if they spread over more than `width`, or if the sample is empty. A guess: it depends on
+/// the sample alone.
 std::optional<FinePlace> place_finer_than(double width, std::span<const SampledVertex> sample);
 
 }  // namespace tamis

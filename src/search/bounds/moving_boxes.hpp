@@ -11,7 +11,7 @@ inline constexpr int kBlock = 16;
 inline constexpr float kWidest = 16;
 
 /// Coordinates are in the frame of the boxes, within [-8,8] except for outliers (BoxFrame). An empty lane has low =
-/// kNowhere, high = -kNowhere, and meets nothing; it is finite because differences of infinities are none.
+/// kNowhere, high = -kNowhere, and meets nothing. It is finite because differences of infinities are none.
 inline constexpr float kNowhere = 1e30f;
 
 /// [axis][lane].
@@ -20,7 +20,7 @@ struct alignas(64) BoxBlock {
   float low1[3][kBlock], high1[3][kBlock];
 };
 
-/// One box of a block: x y z at t=0, then at t=1, and two unused, so that compilers vectorize its loops.
+/// One box of a block: x y z at t=0, then at t=1, and two unused, so compilers vectorize its loops.
 struct MovingBox {
   static constexpr int kSize = 8;
   float low[kSize], high[kSize];
@@ -58,9 +58,9 @@ struct MovingBox {
   }
 };
 
-/// The vertices of sixteen features, [corner][lane]. Every entry is a valid vertex: an empty lane repeats the block's
-/// first feature (its box is empty, so that it meets nothing), corners past a feature's last repeat that one. Kernels
-/// gather and write whole vectors of lanes past the last feature, so every lane's vertices must be readable.
+/// The vertices of sixteen features, [corner][lane]. Every entry is a valid vertex. An empty lane repeats the block's
+/// first feature; its box is empty, so it meets nothing. Corners past a feature's last corner repeat that corner.
+/// Kernels gather and write whole vectors of lanes past the last feature, so every lane's vertices must be readable.
 struct alignas(64) CornerBlock {
   std::int32_t vertex[3][kBlock];
 };

@@ -18,8 +18,8 @@ std::uint64_t different_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) ^ std::bit_cast<std::uint64_t>(b);
 }
 
-/// What rounding hides of an outlier, or of a vertex whose radius reaches beyond the frame; 0 for others, which the
-/// margins of boxes cover. `margin`: what it hides at a reach of 1.
+/// The error that rounding hides of an outlier, or of a vertex whose radius reaches beyond the frame. 0 for other
+/// vertices: the margins of boxes cover them. `margin`: the error at a reach of 1.
 float hidden_of(const BoxVertex& vertex, float margin) {
   constexpr auto kFarthest = static_cast<float>(BoxFrame::kFarthest);
   const float reach = vertex.largest_coordinate() + vertex.at[BoxVertex::kRadius];

@@ -26,7 +26,7 @@ struct alignas(64) PackedVertex {
 
 /// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then at t=1, its radius (rounded up; for an
 /// outlier, with what rounding hides of it added), one unused; half a cache line. For residuals (SharedMotion): zeros,
-/// then x y z of the residual, and for an outlier what rounding hides in place of the radius.
+/// then x y z of the residual, and for an outlier what rounding hides instead of the radius.
 struct alignas(32) BoxVertex {
   static constexpr int kRadius = 6;
   float at[8] = {};
@@ -63,9 +63,9 @@ struct PackedMotion {
   Separations separations;
 
   /// Loads the vertices `used` and the separations; residuals stay. `of_scene`: the frame, if the vertices are part of
-  /// a larger scene; null: that of the vertices. Returns false if no bit of all these has changed. REQUIRES: the same
-  /// number of positions at both ends, and of radii unless there are none. REQUIRES (not checked: O(n)): a validated
-  /// step, whose vertices are among those that `of_scene` was made of.
+  /// a larger scene; null: the frame of the vertices. Returns false if no bit of all these has changed. REQUIRES: the
+  /// same number of positions at both ends, and of radii unless there are none. REQUIRES (not checked: O(n)): a
+  /// validated step. Its vertices are among the vertices that made `of_scene`.
   bool assign(const Step& step, std::span<const Index> used, const Separations& separations,
               const BoxFrame* of_scene = nullptr);
   /// Computes the residuals of the vertices `used`: their displacements less the motion `shared`.
@@ -85,10 +85,10 @@ struct PackedMotion {
   std::uint64_t memory_bytes() const { return held_bytes(vertices, box_vertices, residuals); }
 
  private:
-  /// Returns the bits in which some vertex has changed. `has_outliers`: of the frame.
+  /// Returns the bits that differ in some vertex. `has_outliers`: of the frame.
   template <bool has_outliers>
   std::uint64_t load(std::span<const Index> some, const Step& step);
-  /// Returns the box around these residuals, without those of outliers.
+  /// Returns the box around these residuals, without outliers.
   Box load_residuals(std::span<const Index> some, const SharedMotion& shared);
 };
 

@@ -1,4 +1,4 @@
-// The vertices of a step, as their frame asks about them: in one process, or on many ranks that each have some.
+// The vertices of a step, as their frame reads them: in one process, or on many ranks that each have some.
 #pragma once
 #include <span>
 
@@ -25,7 +25,7 @@ class SceneVertices {
   virtual void sample(std::span<SampledVertex> vertices) const = 0;
 };
 
-/// Those of a step that are `used`, by number. Refers to the positions and to `used`.
+/// The vertices of a step that are `used`, by number. Refers to the positions and to `used`.
 class StepVertices final : public SceneVertices {
  public:
   StepVertices(const Step& step, std::span<const Index> used) : step_(step), used_(used) {}

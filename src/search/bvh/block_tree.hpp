@@ -1,6 +1,6 @@
-// The hierarchy: features in an order that halves space again and again (spatial_order.hpp), sixteen to a leaf block,
-// sixteen blocks to a node, and so on up to one root block. The tree is implicit: child c of block b is block 16 b + c
-// of the level below.
+// The hierarchy. Features are in an order that halves space again and again (spatial_order.hpp). Sixteen make a leaf
+// block, sixteen blocks make a node, and so on up to one root block. The tree is implicit: child c of block b is block
+// 16 b + c of the level below.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ struct BlockGroups {
   static constexpr Index kMixed = -1;
 };
 
-/// What the kernels see of a tree.
+/// The view of a tree for kernels.
 struct TreeView {
   const BoxBlock* levels[kMaxLevels];     ///< levels[0]: features, levels[k]: hulls of the blocks of levels[k-1]
   const BoxBlock* residuals[kMaxLevels];  ///< the same of the residuals of their vertices; null without
@@ -52,8 +52,8 @@ struct TreeView {
   return mine >= 0 && theirs >= 0 && a.groups.may_touch[mine * a.groups.group_count + theirs] == 0;
 }
 
-/// Computes the boxes of a leaf block's features, which have `corners` vertices each and fill the first `in_use` lanes;
-/// extends `hull` by them. One of the kernels.
+/// Computes the boxes of a leaf block's features, which have `corners` vertices each and fill the first `in_use` lanes.
+/// Extends `hull` by them. One of the kernels.
 using BoundLeaf = void (*)(const BoxVertex* vertices, const CornerBlock& block, int corners, int in_use,
                            const BoxMargins& margins, BoxBlock& boxes, MovingBox& hull);
 
@@ -66,7 +66,7 @@ class BlockTree {
     corners_ = static_cast<int>(corners);
     vertices_ = features.empty() ? std::span<const Index>() : std::span(features[0].data(), corners * features.size());
   }
-  /// The groups of all vertices, as PairFilter has them; a feature has that of its first vertex. Keeps the spans.
+  /// The groups of all vertices, as PairFilter has them. A feature has the group of its first vertex. Keeps the spans.
   void set_groups(std::span<const Index> group_of_vertex, std::span<const std::uint8_t> may_touch, Index group_count);
 
   /// Chooses the order by these axes, then refits. An exception of `pause` leaves a tree that can only be built again.

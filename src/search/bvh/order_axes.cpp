@@ -31,7 +31,7 @@ double mixed_area(const Box& a, const Box& b) {
 
 /// How the area of an order's blocks, with which a traversal's cost grows, spreads over time: boxes are as wide as the
 /// positions of their points at the order's time, and widen by the differences of the displacements. The sum of the
-/// areas is a quadratic in time; points that separate along a line add no area of their own, but make boxes longer.
+/// areas is a quadratic in time. Points that separate along a line add no area of their own, but make boxes longer.
 struct Spread {
   double constant = 0, linear = 0, quadratic = 0;  ///< coefficients of the area
 

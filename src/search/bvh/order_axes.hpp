@@ -26,7 +26,7 @@ struct OrderAxes {
   }
 };
 
-/// Which part of the step a question's search visits most, so that the trees' order should serve it.
+/// Which part of the step a question's search visits most, so the trees' order should serve it.
 enum class LooksAt : std::uint8_t {
   whole_step,
   start,      ///< poses, and `earliest`: where the step is long its first contact comes early

@@ -139,7 +139,7 @@ struct Halving {
     select(group, cut - from, longest_axis<axes>(group));
   }
 
-  /// Cuts between blocks of the largest level of which the range has several, so that such cuts make every block of
+  /// Cuts between blocks of the largest level of which the range has several, so such cuts make every block of
   /// every level of the tree.
   void halve(std::size_t first, std::size_t end) const {
     constexpr std::size_t kParallelFrom = 8192;

@@ -21,7 +21,7 @@ struct Listing {
 };
 
 /// How long no lists are made after lists that cost more than they saved. Each pause is twice as long as the one
-/// before, up to kLongest; lists that were worth it make the next one short again.
+/// before, up to kLongest. Lists that were worth it make the next one short again.
 struct ListingPause {
   static constexpr int kLongest = 64;
   int first, next = first, left = 0;

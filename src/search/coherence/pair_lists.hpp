@@ -37,7 +37,7 @@ class PairList {
   std::vector<std::vector<Candidate>> parts_;
 };
 
-/// Appends to `pairs` those of `listed` that may touch at some time of `when`; in `pairs` their times are [0, t_limit].
+/// Appends to `pairs` those of `listed` that may touch at some time of `when`. In `pairs` their times are [0, t_limit].
 /// REQUIRES: room for all of them, times in order.
 void append(std::span<const Candidate> listed, const TimeInterval<float>& when, float t_limit, PairBuffer& pairs);
 

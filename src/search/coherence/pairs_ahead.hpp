@@ -17,9 +17,9 @@ class PairsAhead final : public KeptLists {
   /// Keeps a reference.
   explicit PairsAhead(const Mesh& mesh);
 
-  /// Begins a query. Returns true if it follows the prediction, so that its listed pairs are to be decided first.
+  /// Begins a query. Returns true if it follows the prediction, so its listed pairs are to be decided first.
   bool begin(const Query& query);
-  /// After the listed pairs have been decided: may another pair still touch, so that the trees must be searched?
+  /// After the listed pairs have been decided: may another pair still touch, so the trees must be searched?
   bool leaves_undecided(const ContactCollector& answer) const;
   /// Lists are worth making if the query goes on as the last one did: the pairs of the step that is predicted then.
   std::optional<Listing> plan(const Query& query) override;

@@ -37,7 +37,7 @@ class PairsNearStart final : public KeptLists {
   /// The largest displacement of each vertex from this start (in all questions but the first) and from the start
   /// before.
   std::vector<double> displacements_, previous_displacements_;
-  /// One a vertex, which may move by 1 - fraction of it; pairs farther apart than both features' radii are not listed.
+  /// One a vertex, which may move by 1 - fraction of it. Pairs farther apart than both features' radii are not listed.
   std::vector<double> search_radii_;
   std::vector<double> listing_radii_;  ///< search_radii_ plus the largest contact radius among the vertex' features
   const double* radii_ = nullptr;      ///< the query's when the lists were made
@@ -45,7 +45,7 @@ class PairsNearStart final : public KeptLists {
   double fraction_ = 0;      ///< the part of the distance that the last question wants kept
   bool lists_all_ = false;   ///< the last question asks for every pair
   bool same_start_ = false;  ///< the last question has the start of the one before it
-  // Lists pay from a start's second truncation on: has this start had one, and two; had the last two starts two?
+  // Lists pay from a start's second truncation on: has this start had one, and two. Had the last two starts two?
   bool is_truncated_ = false, is_truncated_again_ = false;
   std::array<bool, 2> were_truncated_again_{};
 };

@@ -45,7 +45,7 @@ class CandidateSearch {
   /// Keeps a reference.
   explicit CandidateSearch(Workspace& workspace) : workspace_(workspace), streams_(workspace) {}
 
-  /// Adds to `lists`, in no order, the pairs of the listing; filter, rings and cancellation are the query's. Returns
+  /// Adds to `lists`, in no order, the pairs of the listing. Filter, rings and cancellation are the query's. Returns
   /// false if some are missing: there are more than kMostPairsPerBlock times the blocks, or the first samples suggest
   /// it. Leaves the trees refitted to the listing's step.
   bool list(const Query& query, const Listing& listing, PairLists& lists, Statistics& statistics);

@@ -84,7 +84,7 @@ void ContactSearch::search_trees(ContactCollector& answer) {
 }
 
 /// Collects the contacts of all threads in `answer`, and tells each thread the first contact so far. Returns the latest
-/// time of interest. The step is shortened only between samples, so that answers do not depend on threads.
+/// time of interest. The step is shortened only between samples, so answers do not depend on threads.
 float ContactSearch::gather(ContactCollector& answer) {
   streams_.for_each([&](ContactConsumer& consumer) { answer.take(consumer.found()); });
   streams_.for_each([&](ContactConsumer& consumer) { consumer.found().learn(answer); });

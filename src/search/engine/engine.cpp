@@ -1,4 +1,4 @@
-// The library's engine: boxes that move in time, slab clip, DNF, NCF, certified roots; pairs stream through in small
+// The library's engine: boxes that move in time, slab clip, DNF, NCF, certified roots. Pairs stream through in small
 // buffers.
 #include "search/query/engine.hpp"
 

@@ -1,4 +1,4 @@
-// Samples of leaf blocks: searched one after the other, so that what an early one finds shortens the search of the
+// Samples of leaf blocks: searched one after the other, so what an early one finds shortens the search of the
 // rest.
 #pragma once
 #include <array>

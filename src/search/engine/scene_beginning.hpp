@@ -13,7 +13,7 @@ namespace tamis {
 double beginning_of_long_step(const Step& step, std::span<const Index> points, double widening);
 
 /// The listing of pairs that come within their separations on [0, length]. It has a step of its own, which refers to
-/// the start of the query's step; its deviation is rounding. REQUIRES: 0 < length <= 1, a power of two.
+/// the start of the query's step. Its deviation is rounding. REQUIRES: 0 < length <= 1, a power of two.
 Listing listing_of_beginning(const Query& query, std::span<const Index> points, double length);
 
 }  // namespace tamis

@@ -1,4 +1,4 @@
-// Conducts safe_step and truncate: how far may the step go so that every pair keeps a fraction of its distance? A pair
+// Conducts safe_step and truncate: how far may the step go so every pair keeps a fraction of its distance? A pair
 // can end the step before t only if it is fast enough, (1 - fraction) (distance at t=0 - min_separation) < t * relative
 // speed, less a motion that many share, and only if it comes as near as the fraction before t. So the search looks for
 // pairs of moving boxes that come as near, and each pair that ends the step earlier shortens it for all others. If one

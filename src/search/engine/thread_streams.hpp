@@ -7,7 +7,7 @@
 namespace tamis {
 
 /// `Consumer`: a PairStream that is constructed with a SearchThread and begins with a `Consumer::Shared`. Pairs of one
-/// part of a search wait in the buffer for those of the next; the search for a kind ends when all are consumed.
+/// part of a search wait in the buffer for those of the next. The search for a kind ends when all are consumed.
 template <class Consumer>
 class ThreadStreams {
  public:
@@ -37,7 +37,7 @@ class ThreadStreams {
                   });
   }
 
-  /// Takes the sample of the lists' parts, in place of leaf blocks: pairs that may touch at some time of `when`, for
+  /// Takes the sample of the lists' parts, instead of leaf blocks: pairs that may touch at some time of `when`, for
   /// contacts until `t_limit`. `when` is in times of the lists' step, `t_limit` in times of the query's.
   void search_lists(const PairLists& lists, const Sample& sample = {}, const TimeInterval<float>& when = {0, 1},
                     float t_limit = 1) {

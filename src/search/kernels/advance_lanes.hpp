@@ -1,5 +1,5 @@
-// When do pairs come within their separation? Each pair takes as many steps of conservative advancement as it needs
-// (pair/narrow/advancement.hpp). After each step the pairs that go on are compacted, so that no lane waits for the
+// The times when pairs come within their separation. Each pair takes as many steps of conservative advancement as it
+// needs (pair/narrow/advancement.hpp). After each step the remaining pairs are compacted, so no lane waits for the
 // slowest. Undecided pairs then take the same steps one at a time (pair/narrow/first_within.hpp), with the same bits.
 #pragma once
 #include <limits>

@@ -23,8 +23,8 @@ struct alignas(64) BoundBlock {
 /// (docs/numerics/one-pair.md, "Boxes").
 inline constexpr float kLaterMargin = 0x1p-18f;
 /// Boxes of outliers are off by less than this besides, times their largest coordinate along the axis. The difference
-/// of the coordinates at both ends is off by 2^-23 of that, and so is its product with a time, which also carries the
-/// difference's error; subtracting the observer's displacement is off by 2^-23, the sum by 2^-24.
+/// of the coordinates at both ends is off by 2^-23 of that. Its product with a time is off by as much, and carries the
+/// difference's error. Subtracting the observer's displacement is off by 2^-23, the sum by 2^-24.
 inline constexpr float kLaterOutlierMargin = 0x1p-20f;
 
 /// The margin that kLaterOutlierMargin gives each box of a block along an axis.
@@ -116,7 +116,7 @@ class MovingBoxes {
     return {sum.size / used, sum.growth / used};
   }
 
-  /// Bits of a node's children whose features, judged by the hulls, move far for their size and that of mine.
+  /// Bits of a node's children whose features, judged by the hulls, move far for their size and for the size of mine.
   unsigned move_far(const BoxBlock& block, const Bounds& swept, const Means& mine) const {
     return bits_of_sixteen([&](int first) {
       const FloatLanes size = extent_at_start(block, first);
@@ -157,7 +157,7 @@ class MovingBoxes {
       });
   }
 
-  /// Widens the bounds by what those of outliers are off by.
+  /// Widens the bounds by the error of outliers' bounds.
   static void widen(const BoxBlock& block, Bounds& bounds) {
     for (int axis = 0; axis < 3; ++axis)
       for_sixteen_lanes([&](int first) {

@@ -18,8 +18,8 @@ inline constexpr auto kBitPositions = [] {
 }();
 #endif
 
-/// Writes the lanes of `mask` to consecutive places from `to` on. A whole batch may be written: what is behind them is
-/// some lane of the batch, or zero.
+/// Writes the lanes of `mask` to consecutive places from `to` on. A whole batch may be written: after them comes some
+/// lane of the batch, or zero.
 template <class T>
 inline void store_compressed(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* to) {
   static_assert(sizeof(T) == 4);
@@ -49,7 +49,7 @@ inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count
   });
 }
 
-/// The times in which pairs may touch; `Lanes`: of floats or of doubles.
+/// The times when pairs may touch. `Lanes`: of floats or of doubles.
 template <class Lanes>
 inline TimeInterval<Lanes> load_time(const PairBuffer& pairs, int first) {
   return {Lanes::load_unaligned(pairs.t_in + first), Lanes::load_unaligned(pairs.t_out + first)};

@@ -1,4 +1,4 @@
-// Decides pairs in lanes; compiled once for each instruction set. decide() runs the same tests on a pair, in the same
+// Decides pairs in lanes. Compiled once for each instruction set. decide() runs the same tests on a pair, in the same
 // order. So a pair has the same bits wherever and with whatever other pairs it is decided.
 #include "search/kernels/advance_lanes.hpp"
 #include "search/kernels/crossing_lanes.hpp"

@@ -17,7 +17,7 @@ namespace tamis::TAMIS_ISA {
 }
 
 /// Boxes that move, with the residuals of their features. By search.keep, a pair of features can end the step only
-/// - if its clearance, and thus the boxes' gap at t=0, is within ClearanceBounds; squares of lengths are compared, and
+/// - if its clearance, and thus the boxes' gap at t=0, is within ClearanceBounds. Squares of lengths are compared, and
 ///   do not underflow where it matters: gaps are multiples of 2^-47, because boxes have margins;
 /// - while the boxes are no farther apart than the fraction of the largest clearance at t=0 that the pair can have, by
 ///   ClearanceBounds and by the distance of the boxes' farthest corners.

@@ -12,9 +12,9 @@
 
 namespace tamis {
 
-/// Pairs of features between two stages: corners in Contact's order, and the part of the step in which they may touch.
-/// An edge and a face in one pose are stored as a vertex and a face: the vertex starts at corner 0, runs along the edge
-/// within the step, and ends at corner 4, which other pairs do not have. Kernels may read up to kPadding entries past
+/// Pairs of features between two stages: corners in Contact's order, and the part of the step when they may touch. An
+/// edge and a face in one pose are stored as a vertex and a face. The vertex starts at corner 0, runs along the edge
+/// within the step, and ends at corner 4. Other pairs have no corner 4. Kernels may read up to kPadding entries past
 /// `count`, without using them, and overwrite them with valid vertices.
 struct PairBuffer {
   static constexpr int kPadding = 16;
@@ -50,11 +50,11 @@ struct DecisionRoom {
 };
 
 /// Pairs that advance towards the time at which they come within their separation (pair/narrow/advancement.hpp): proven
-/// apart until `now`; times after `until` are not asked about. Beyond `count` only vertices must be valid; the other
-/// arrays are not initialized.
+/// apart until `now`. Times after `until` do not count. Beyond `count` only vertices must be valid; the other arrays
+/// are not initialized.
 struct AdvanceBuffer {
   PairBuffer pairs;
-  std::int32_t places[PairBuffer::kSize];  ///< in the buffer or the list that they came from
+  std::int32_t places[PairBuffer::kSize];  ///< in their buffer or list
   double now[PairBuffer::kSize];
   double until[PairBuffer::kSize];
 };
@@ -64,10 +64,10 @@ struct DecisionScratch {
   AdvanceBuffer moving, touching;
 };
 
-/// Bound of the clearance of a pair within two boxes that can end the step, in the frame of the boxes:
-/// clearance^2 <= per_residual2 residual^2 + per_size2 size^2 + fixed2, where `residual` is the largest difference of
-/// the boxes' residuals (SharedMotion), and size^2 is at least half of the square of both boxes' joint extent, at t=0
-/// and at t=1. All rounded up.
+/// Bound of the clearance of a pair within two boxes that can end the step, in the frame of the boxes: clearance^2 <=
+/// per_residual2 residual^2 + per_size2 size^2 + fixed2. `residual` is the largest difference of the boxes' residuals
+/// (SharedMotion). size^2 is at least half of the square of both boxes' joint extent, at t=0 and at t=1. All rounded
+/// up.
 struct ClearanceBounds {
   float per_residual2, per_size2, fixed2;
   float stretch2;  ///< size^2 = stretch2 far^2 + residual^2, where far is the largest distance of corners at t=0
@@ -86,10 +86,10 @@ struct KeepRule {
 /// One thread's search over one pair of trees.
 struct Search {
   TreeView a, b;  ///< vf: points, faces; ee: edges, edges
-  /// Contacts that begin after this time are of no interest. A float, so that the stages in floats do not round it.
+  /// Contacts that begin after this time do not count. A float, so the stages in floats do not round it.
   float t_limit = 1;
   bool has_outliers = false;  ///< BoxFrame::has_outliers
-  KeepRule keep{};            ///< for search_step_ends, in place of t_limit
+  KeepRule keep{};            ///< for search_step_ends, instead of t_limit
   /// For searches at rest: by how much two boxes together are wider than their features.
   float widened = 0;
   PairBuffer* pairs = nullptr;
@@ -116,11 +116,11 @@ struct PairKernels {
   /// searched against blocks from `block` on, each pair once. Loose edges and points are searched like faces, their
   /// last vertex repeated.
   SearchKernel search = nullptr;
-  /// The same for boxes at t=0, two of which together are widened by search.widened.
+  /// The same for boxes at t=0. Two boxes together are widened by search.widened.
   SearchKernel search_at_rest = nullptr;
   /// The same for pairs that may end the step by search.keep. REQUIRES: trees with residuals.
   SearchKernel search_step_ends = nullptr;
-  /// Culls pairs that cannot end the step by the rule between t=0 and their t_out; the others go to `out`. `pairs` is
+  /// Culls pairs that cannot end the step by the rule between t=0 and their t_out. The others go to `out`. `pairs` is
   /// overwritten. For kinds that can cross.
   void (*may_end_step)(const MotionView& motion, const KeepRule& rule, PairBuffer& pairs, PairBuffer& out) = nullptr;
   /// Slab clip: culls pairs that stay farther apart than their separation. The others go to `out`, with the times left.
@@ -128,8 +128,8 @@ struct PairKernels {
   /// DNF, then NCF, on each pair's times. Returns how many pairs DNF left to NCF. For kinds that can cross, as the
   /// next.
   int (*filter)(const MotionView& motion, const PairBuffer& in, PairBuffer& out) = nullptr;
-  /// Culls pairs that are proven farther apart than their separation during their times: by one axis that turns with
-  /// the pair, or by one in each of four parts of the time. `pairs` is overwritten.
+  /// Culls pairs that are proven farther apart than their separation during their times. The proof is one axis that
+  /// turns with the pair, or one in each of four parts of the time. `pairs` is overwritten.
   void (*cull_apart)(const MotionView& motion, PairBuffer& pairs, PairBuffer& out) = nullptr;
   /// Decides pairs on the whole step: by crossings (pair/narrow/clipped_crossing.hpp), or with a separation by
   /// advancement (advance_lanes.hpp). The answer depends on the pair alone, and has the bits of decide(). Pairs whose
@@ -143,7 +143,7 @@ struct PairKernels {
   /// whose distance doubles do not give sharply enough.
   void (*find_within_at_rest)(const MotionView& motion, const PairBuffer& in, PairBuffer& near,
                               PairBuffer& unsure) = nullptr;
-  /// At rest: writes a NearPair for each pair of the buffer; the distance is NaN where doubles do not give it sharply
+  /// At rest: writes a NearPair for each pair of the buffer. The distance is NaN where doubles do not give it sharply
   /// enough.
   void (*measure)(const PackedVertex* vertices, const PairBuffer& in, NearPair* out) = nullptr;
 };

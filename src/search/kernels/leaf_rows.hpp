@@ -1,6 +1,6 @@
-// Tests the features of one leaf block against those of the leaf blocks that it may meet. A row is one feature against
-// the sixteen of another block. Rows without pairs are removed stage by stage, without branches on which boxes meet: no
-// processor could predict them.
+// Tests the features of one leaf block against the features of the leaf blocks that it may meet. A row is one feature
+// against the sixteen of another block. Rows without pairs are removed stage by stage, without branches on which boxes
+// meet: no processor could predict them.
 #pragma once
 #include <utility>
 
@@ -80,7 +80,7 @@ class LeafRows {
 
  private:
   static constexpr int kMostLeaves = 32, kAhead = 4;
-  /// The first kSample rows of a block get the cheap test; if it leaves more than the part kMostMet of them, the other
+  /// The first kSample rows of a block get the cheap test. If more than the part kMostMet of them remain, the other
   /// rows get the sharp test at once (docs/history/performance.md, "What chooses").
   static constexpr int kSample = 16;
   static constexpr double kMostMet = 0.65;
@@ -114,8 +114,8 @@ class LeafRows {
     boxes_.bound(search_.b, 0, leaves_[i].block, theirs_[i]);
   }
 
-  /// For a leaf whose features move far: turns the rows around, to those of its features that may meet my hull, if that
-  /// gives fewer rows.
+  /// For a leaf whose features move far: turns the rows around, to its features that may meet my hull, if that gives
+  /// fewer rows.
   void ask_fewer(MetLeaf& leaf) const {
     if (leaf.test != Test::some_time || (RowPairs<kind, course>::kIsSelf && leaf.block == block_)) return;
     const unsigned theirs = boxes_.meet_at_some_time(search_.a.levels[1][block_ / kBlock], block_ % kBlock,
@@ -137,7 +137,7 @@ class LeafRows {
       row_pairs_.template append<one>(leaf_of(rows_[i]).block, lane_of(rows_[i]), found_[i], boxes_.t_limit());
   }
 
-  /// Keeps those of the first `count` rows with features that meet at one time. Returns their number.
+  /// Of the first `count` rows keeps the rows with features that meet at one time. Returns their number.
   template <One one>
   int keep_fast_rows(int count) {
     const auto cheap = [&](int i) { return others_that_meet<one>(rows_[i]); };
@@ -154,7 +154,7 @@ class LeafRows {
     return keep_rows(found, keep_rows(sample, count, found, cheap), found, both);
   }
 
-  /// Keeps those of the first `count` rows with features within reach. Returns their number.
+  /// Of the first `count` rows keeps the rows with features within reach. Returns their number.
   int keep_near_rows(int count) {
     const int near = keep_rows(0, count, 0, [&](int i) { return others_within_reach(rows_[i]); });
     return keep_rows(0, near, 0, [&](int i) {
@@ -188,7 +188,7 @@ class LeafRows {
            ~neighbours<One::mine>(row);
   }
 
-  /// Bits of the sixteen that may meet the one feature by the cheap test and are no neighbours of it.
+  /// Bits of the sixteen that may meet the one feature by the cheap test and are not its neighbours.
   template <One one>
   unsigned others_that_meet(int row) const {
     const int lane = lane_of(row);

@@ -43,7 +43,7 @@ inline DoubleLanes load_separation(const StepRows&, const PairBuffer&, int, cons
   return DoubleLanes(separation.fixed);
 }
 
-/// The pairs first, first + 1, ... of the buffer; lanes past its end hold whatever the padding names. `separation` is
+/// The pairs first, first + 1, ... of the buffer. Lanes past its end hold whatever the padding names. `separation` is
 /// in the unit of the vertices.
 template <PairKind kind, Course course = Course::step, class Vertices>
 inline PairMotion<DoubleLanes> load_motion(Vertices vertices, const PairBuffer& pairs, int first,

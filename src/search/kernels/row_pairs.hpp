@@ -1,5 +1,5 @@
-// The pairs of a row, which is one feature of a leaf block and the sixteen of another: which of the sixteen are
-// neighbours of the one, and how those that meet it are appended to the buffer.
+// The pairs of a row: one feature of a leaf block and the sixteen of another. Finds the neighbours of the one among the
+// sixteen. Appends the features that meet it to the buffer.
 #pragma once
 #include "search/kernels/compress.hpp"
 
@@ -25,13 +25,13 @@ inline OfRow<T> of_row(const T& mine, const T& theirs) {
 template <PairKind kind, Course course>
 class RowPairs {
  public:
-  /// Both blocks are of one tree, so that a pair is found from both sides.
+  /// Both blocks are of one tree, so a pair is found from both sides.
   static constexpr bool kIsSelf = kind == PairKind::edge_edge;
 
   RowPairs(Search& search, int block) : search_(search), block_(block), mine_(search.a.corners[block]) {}
 
   /// Bits of the sixteen that share a vertex with the one, which is in lane `lane`. If both blocks are the same, also
-  /// of the lanes up to `lane`, so that each pair is found once.
+  /// bits of the lanes up to `lane`, so each pair is found once.
   template <One one>
   unsigned neighbours(int leaf, int lane) const {
     const unsigned found_already = kIsSelf && leaf == block_ ? ~(~1u << lane) : 0;
@@ -57,7 +57,7 @@ class RowPairs {
       const auto my = [&](int corner) { return of(mine_, One::mine, corner); };
       const auto their = [&](int corner) { return of(theirs, One::theirs, corner); };
       if constexpr (kIsSelf) {
-        // The edge with the smaller first vertex comes first, so that the answer does not depend on the order in the
+        // The edge with the smaller first vertex comes first, so the answer does not depend on the order in the
         // tree. Edges without a common vertex differ in their first.
         const auto is_first = my(0) < their(0);
         for (int c = 0; c < 2; ++c) {

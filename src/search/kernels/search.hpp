@@ -73,8 +73,8 @@ class BlockSearch {
     return rest;
   }
 
-  /// Can any reach be short? The reach between two blocks is at least half of that within mine, as any residual is at
-  /// least half the range of my residuals away from one end of that range.
+  /// True if some reach can be short. The reach between two blocks is at least half of the reach within mine: any
+  /// residual is at least half the range of my residuals away from one end of that range.
   void expect_short_reaches() {
     const auto mine = [&](int k) { return FloatLanes(my_hull_[k]); };
     extent_ = extent(search_, block_);

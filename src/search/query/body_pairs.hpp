@@ -1,4 +1,4 @@
-// The pairs of bodies of which each has a first contact of its own (Query::each_of).
+// The pairs of bodies that each have a first contact of their own (Query::each_of).
 #pragma once
 #include <algorithm>
 #include <utility>

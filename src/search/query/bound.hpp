@@ -1,4 +1,4 @@
-// What the threads of a query share of its answer, so that they spare each other parts of the search.
+// The part of an answer that the threads of a query share, to spare each other parts of the search.
 #pragma once
 #include <algorithm>
 #include <atomic>
@@ -18,7 +18,7 @@ inline float float_after(double t) {
 
 class Bound {
  public:
-  /// The latest time of interest of an answer that is not asked for.
+  /// The latest time of interest of an answer that the query does not want.
   static constexpr double kNever = -1;
 
   Bound() { begin(); }
@@ -41,8 +41,7 @@ class Bound {
   double latest(std::size_t answer) const {
     return answer < latest_.size() ? latest_[answer].load(std::memory_order_relaxed) : kNever;
   }
-  /// Lowers the latest time of interest of an answer to `time`, if that is earlier. REQUIRES: an answer that is asked
-  /// for.
+  /// Lowers the latest time of interest of an answer to `time`, if that is earlier. REQUIRES: an answer of the query.
   void lower(double time, std::size_t answer = 0) {
     TAMIS_ASSERT(answer < latest_.size());
     double latest = this->latest(answer);

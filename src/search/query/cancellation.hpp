@@ -7,7 +7,7 @@
 
 namespace tamis {
 
-/// Throws Cancelled if the caller's is_cancelled says so. `options`: anything with that member.
+/// Throws Cancelled if the caller's is_cancelled returns true. `options`: anything with that member.
 template <class AnyOptions>
 void stop_if_cancelled(const AnyOptions& options) {
   if (options.is_cancelled && of_caller(options.is_cancelled))

@@ -32,9 +32,9 @@ class ContactCollector {
   /// did. `by_integers`: no cheaper arithmetic could decide the pair. REQUIRES: a kind there is, times in [0,1] and in
   /// order.
   bool add(PairKind kind, const PairVertices& vertices, const PairResult& result, bool by_integers = false);
-  /// Can this pair, which is apart before the time `from`, still change the answer? Cheap, to be asked before a pair is
-  /// decided: a pair that touches at t=0 makes all that come behind it in the order of contacts irrelevant, and any
-  /// contact ends the question is_free.
+  /// True if this pair, which is apart before the time `from`, can still change the answer. Cheap: call it before
+  /// deciding a pair. A pair that touches at t=0 makes all later pairs in the order of contacts irrelevant. Any contact
+  /// ends the question is_free.
   bool wants(PairKind kind, const PairVertices& vertices, double from = 0) const;
   /// Can any pair of this kind?
   bool wants(PairKind kind) const { return query_->each_of || wants(kind, {0, 0, 0, 0}); }
@@ -64,7 +64,7 @@ class ContactCollector {
   EarliestContact first() const { return first_.front().answer(); }
   /// earliest: the first contact of each answer that has one, in no order.
   std::vector<Contact> firsts() const;
-  /// all_contacts: a time by which some pair has touched; 1 if none is known to.
+  /// all_contacts: some pair has touched by this time; 1 if none is known to.
   double touched_by() const { return touched_by_; }
   /// Pairs that touch at t=0 and do not count.
   void count_ignored() { ++ignored_; }

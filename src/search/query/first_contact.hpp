@@ -35,8 +35,8 @@ class FirstContact {
 
   /// The earliest contact if nothing counts as a crowd.
   const EarliestContact& earliest() const { return first_; }
-  /// A pair whose bracket, should it touch, is that of integers cannot change the answer if it is free until this time,
-  /// at most `latest`.
+  /// A pair that gets its bracket from integers cannot change the answer if it is free until this time, at most
+  /// `latest`.
   double needed_until(PairKind kind, const PairVertices& vertices, double latest) const;
 
  private:

@@ -1,5 +1,5 @@
 // Task isolation. While a thread waits inside oneTBB, in a user's callback or a nested question, it may take other
-// tasks, among them parts of the loop that it is in; these would use the thread's half-filled buffers. An isolated
+// tasks. Among them are parts of the loop that it is in, which would use the thread's half-filled buffers. An isolated
 // thread takes only tasks of the callback or question that it waits for.
 #pragma once
 #include <tbb/task_arena.h>

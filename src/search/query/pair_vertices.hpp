@@ -11,7 +11,7 @@ namespace tamis {
 
 using PairVertices = std::array<Index, 4>;  ///< as in Contact, before sorting
 
-/// The vertices that the kind has, and -1 in place of the others, as Contact documents.
+/// The vertices that the kind has, and -1 for the others, as Contact documents.
 inline PairVertices vertices_in_use(PairKind kind, PairVertices v) {
   std::fill(v.begin() + vertex_count(kind), v.end(), -1);
   return v;

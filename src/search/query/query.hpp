@@ -1,4 +1,4 @@
-// A query: the step and all that is asked about it. It goes down through the engine unchanged; answers come back in
+// A query: the step and the question about it. It goes down through the engine unchanged. Answers come back in
 // collectors.
 #pragma once
 #include <cstdint>
@@ -29,32 +29,32 @@ struct Query {
   const Rings& rings;
   const std::function<bool()>& is_cancelled;
   Question question = Question::all_contacts;
-  bool ignores_start = false;  ///< AtStart::ignore; `fail` is asked as `report`
+  bool ignores_start = false;  ///< AtStart::ignore; `fail` runs as `report`
   /// `filter.accepts` is called for intersections, too: with the edge's first vertex and the face.
   bool accepts_intersections = false;
-  /// The frame of the whole scene, if the mesh is a part of it; null: that of the mesh.
+  /// The frame of the whole scene, if the mesh is a part of it; null: the frame of the mesh.
   const BoxFrame* frame = nullptr;
   /// The step is a piece of a path: the next one has other radii, so nothing is listed ahead.
   bool is_piece = false;
   /// With `earliest` the answers are the first contacts of these pairs of bodies; null: the first one of the mesh.
-  /// Other pairs of bodies are left out.
+  /// Other pairs of bodies are skipped.
   const BodyPairs* each_of = nullptr;
-  /// For find_step_ends alone, one a vertex: pairs all of whose vertices have 0 are known already, and may be left out
-  /// of the answer. Empty: no pair is known.
+  /// For find_step_ends alone, one a vertex: pairs all of whose vertices have 0 are known already, and may be skipped.
+  /// Empty: no pair is known.
   std::span<const std::uint8_t> changed = {};
 
-  /// How many first contacts are asked for.
+  /// How many first contacts the query wants.
   std::size_t answers() const { return each_of ? each_of->count() : 1; }
-  /// Of which answer a pair may be the first contact; answers() if of none.
+  /// The answer whose first contact a pair may be; answers() if none.
   std::size_t answer_of(PairKind kind, const std::array<Index, 4>& vertices) const {
     return each_of ? each_of->number_of(vertices[0], vertices[second_feature(kind)]) : 0;
   }
-  /// The rule by which a pair is decided in questions that keep a fraction of distances.
+  /// The rule that decides a pair in questions that keep a fraction of distances.
   DistanceRule distance_rule_for(PairKind kind, const std::array<Index, 4>& vertices, double fraction) const {
     return {fraction, separations.between(kind, vertices), ignores_start};
   }
-  /// Are the pair's features fewer edges apart than the caller wants? Takes a search along the mesh, so it is asked
-  /// last, of pairs that would be in the answer.
+  /// True if the pair's features are fewer edges apart than the caller wants. Takes a search along the mesh, so it runs
+  /// last, for pairs that would be in the answer.
   bool are_neighbours(PairKind kind, const std::array<Index, 4>& v) const {
     const std::span<const Index> all(v.data(), vertex_count(kind));
     return rings.are_neighbours(all.first(second_feature(kind)), all.subspan(second_feature(kind)));

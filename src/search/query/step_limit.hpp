@@ -28,7 +28,7 @@ struct StepLimit {
     return time == 0 && key() < StepLimit{0, other_kind, others}.key();
   }
 
-  /// The answer to safe_step: this pair's time, the time by which it is proven to end the step, and the pair at t=0.
+  /// The answer to safe_step: this pair's time, a time when it is proven to have ended the step, and the pair at t=0.
   SafeStep answer(const Query& query, double fraction) const {
     if (time == 1) return {};
     const DistanceRule rule = query.distance_rule_for(kind, vertices, fraction);

@@ -35,7 +35,7 @@ inline void require_countable_pairs(std::size_t pairs) {
               " pairs: ask about parts of the mesh, or with a smaller distance");
 }
 
-/// The number of an edge, given how many come before it. REQUIRES: a countable mesh, so that the edge has a number.
+/// The number of an edge, given how many come before it. REQUIRES: a countable mesh, so the edge has a number.
 inline Index number_of(std::size_t before) {
   TAMIS_ASSERT(before <= kMostNumbers);
   return static_cast<Index>(before);

@@ -14,8 +14,8 @@ void leave_out_ends(const std::vector<Edge>& edges, std::vector<Index>& points) 
   std::erase_if(points, [&](Index p) { return std::binary_search(ends.begin(), ends.end(), p); });
 }
 
-/// Adds the vertices that are a face by themselves, whatever else they belong to: where this face alone is seen, as by
-/// one of several ranks, the point must be known.
+/// Adds the vertices that are a face by themselves, even if other features use them. One of several ranks may see this
+/// face alone, and must know its point.
 void add_point_faces(const Mesh& mesh, std::vector<Index>& points) {
   const std::size_t known = points.size();
   for (const Face& face : mesh.faces())

@@ -1,4 +1,4 @@
-// The mean edge length, the unit in which searches measure motion: of a mesh, of its finest part, of each body.
+// The mean edge length of a mesh, of its finest part, of each body: the unit of motion in searches.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -29,8 +29,8 @@ inline double mean_edge(const Mesh& mesh, const Positions& points,
   return mean_of_most(edges.size(), 1 + edges.size() / kSample, length, most);
 }
 
-/// The mean edge of the finest part, where most edges are much longer, as of a terrain below a cloth: for limits that
-/// would span the whole cloth as a part of the terrain's edges. Of edges up to kLonger times as long as the shortest
+/// The mean edge of the finest part of a mesh whose edges are mostly much longer, such as a terrain below a cloth. A
+/// limit in the terrain's edges would span the whole cloth. Of edges up to kLonger times as long as the shortest
 /// sixteenth.
 inline double mean_fine_edge(const Mesh& mesh, const Positions& points) {
   constexpr std::size_t kSample = 64, kSlivers = kSample / 16;

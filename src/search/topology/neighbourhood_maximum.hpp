@@ -11,9 +11,8 @@
 namespace tamis {
 
 /// For each vertex, the largest number of itself and the vertices at the other ends of its edges, which share a feature
-/// with it; empty if there are no numbers. Given a second number for each vertex, the largest sum at a vertex of a
-/// feature is no less than the feature's largest first plus its largest second number. REQUIRES: one number a vertex,
-/// or none.
+/// with it. Empty if there are no numbers. For every feature: max over its vertices of (result + b) >= max(a) + max(b).
+/// So summing per vertex is a safe bound. REQUIRES: one number a vertex, or none.
 inline std::vector<double> neighbourhood_maximum(const Mesh& mesh, std::span<const double> of_vertex) {
   TAMIS_ASSERT(of_vertex.empty() || of_vertex.size() == at(mesh.vertex_count()));
   std::vector<double> largest(of_vertex.begin(), of_vertex.end());

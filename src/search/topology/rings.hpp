@@ -1,4 +1,4 @@
-// Rings: how many edges lie between two features? Pairs fewer edges apart than the caller wants are left out.
+// Rings: the number of edges between two features. Pairs fewer edges apart than the caller wants are skipped.
 #pragma once
 #include <span>
 

@@ -46,7 +46,7 @@ void expect_message(const F& question, const char* part) {
 
 constexpr std::array<Index, 4> kAll{0, 1, 2, 3};
 
-// Bug: a bound that is no number compares false and proves everything free.
+// Bug: a bound that is not a number compares false and proves everything free.
 TEST(BadPath, IsNamed) {
   ToldPath path;
   const auto ask = [&] { (void)vertex_face(path, kAll); };

@@ -22,7 +22,7 @@ void expect_at(double time, const Decision& decision) {
   EXPECT_EQ(decision.upper, time);
 }
 
-/// The first time is no double and lies within half a spacing of `nearest`.
+/// The first time is not a double and lies within half a spacing of `nearest`.
 void expect_near(double nearest, const Decision& decision) {
   EXPECT_TRUE(decision.touches());
   EXPECT_EQ(decision.upper, std::nextafter(decision.lower, 2.0));

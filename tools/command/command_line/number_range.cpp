@@ -49,7 +49,7 @@ template <class T>
 T number_from(const std::string& option, const std::string& text, const NumberRange<T>& range) {
   const auto value = read_number<T>(text);
   if (value && takes(range, *value)) return *value;
-  throw InvalidOptions(fmt::format("{}: {} is no {}number{}: correct it", option,
+  throw InvalidOptions(fmt::format("{}: {} is not a {}number{}: correct it", option,
                                    text.empty() ? "an empty value" : io::in_quotes(text),
                                    std::is_floating_point_v<T> ? "" : "whole ", bounds_of(range)));
 }

@@ -86,7 +86,7 @@ int run_words(const Command& command, int argc, char** argv) {
   declare(command, app);
   const auto is_called = [&](const auto& verb) { return std::string_view(argv[1]) == verb->name(); };
   if (argc > 1 && argv[1][0] != '-' && std::none_of(command.verbs.begin(), command.verbs.end(), is_called))
-    return fail(fmt::format("no verb is called '{}': see '{} --help'", argv[1], command.name));
+    return fail(fmt::format("unknown verb '{}': see '{} --help'", argv[1], command.name));
   std::vector<std::string> words = words_of(argc, argv);
   if (argc > 1 && argv[1][0] != '-')
     require_sound(*app.get_subcommand(argv[1]), words);

@@ -46,7 +46,7 @@ TEST_F(Truncate, KeepsLoosePoints) {
   EXPECT_EQ(onwards.json()["contacts"]["vf"], 1);
 }
 
-// Bug: rods and points are listed as the detector has them, so that the file is no frame of the mesh it came from.
+// Bug: rods and points are listed as the detector has them, so that the file is not a frame of the mesh it came from.
 TEST_F(Truncate, WritesAFrameOfTheMeshThatItRead) {
   const std::string rods = "l 4 3\nl 2 1\nl 2 1\nf 1 2 5\np 6\np 5\np 6\n";
   folder_.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 -1\nv 0 1 1\nv 0 -1 0\nv 9 9 9\n" + rods);

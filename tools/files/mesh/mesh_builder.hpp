@@ -47,14 +47,14 @@ class MeshBuilder {
   std::vector<std::pair<std::size_t, std::string>> not_finite_;  ///< vertices, and where the file has them
 };
 
-/// Takes three numbers off the front of `rest`; `refuse` throws what is said of a word that is no number.
+/// Takes three numbers off the front of `rest`; `refuse` throws what is said of a word that is not a number.
 template <class Refuse>
 Point take_point(std::string_view& rest, const Refuse& refuse) {
   Point p;
   for (double& x : p) {
     const std::string_view word = take_word(rest);
     const auto value = to_double(word);
-    if (!value) refuse(fmt::format("{} is no number: a vertex needs three coordinates", in_quotes(word)));
+    if (!value) refuse(fmt::format("{} is not a number: a vertex needs three coordinates", in_quotes(word)));
     x = *value;
   }
   return p;

@@ -34,7 +34,7 @@ constexpr std::array<OtherFormat, 5> kOtherFormats{
       "Alembic is not read: export USD for tamis.audit in Python, or a mesh file with a point cache (.pc2, .mdd)"},
      {".pc2 .mdd", "a point cache has no faces: 'tamis audit MESH CACHE' reads it together with a mesh file"},
      {".vtk .vtu .vtp .msh .fbx .dae .3ds .3mf .blend .stp .step .igs .iges .x3d .wrl .ply2 .mesh", "convert it"},
-     {".csv .json .html", "this is no mesh: 'tamis bodies' reads JSON, the others are written by tamis"}}};
+     {".csv .json .html", "this is not a mesh: 'tamis bodies' reads JSON, the others are written by tamis"}}};
 
 std::string advice_on(const std::filesystem::path& path) {
   const std::string extension = extension_of(path);

@@ -118,7 +118,7 @@ class ObjParser {
 
   double number(std::string_view word) const {
     const auto value = to_double(word);
-    if (!value) fail(fmt::format("{} is no number: correct the line", in_quotes(word)));
+    if (!value) fail(fmt::format("{} is not a number: correct the line", in_quotes(word)));
     return *value;
   }
 

@@ -57,7 +57,7 @@ class OffParser {
   std::int64_t count(const char* what) {
     const std::string_view word = take_word(rest_);
     const auto value = to_integer<std::int64_t>(word);
-    if (!value || *value < 0) fail(fmt::format("{} is no number of {}: correct the line", in_quotes(word), what));
+    if (!value || *value < 0) fail(fmt::format("{} is not a number of {}: correct the line", in_quotes(word), what));
     return *value;
   }
 
@@ -81,7 +81,8 @@ class OffParser {
     const std::string_view word = take_word(rest_);
     const auto value = to_integer<Index>(word);
     if (!value || *value < 0 || *value >= vertices_)
-      fail(fmt::format("{} is no vertex index, these are 0 to {}: correct the line", in_quotes(word), vertices_ - 1));
+      fail(
+          fmt::format("{} is not a vertex index, these are 0 to {}: correct the line", in_quotes(word), vertices_ - 1));
     return *value;
   }
 

@@ -51,7 +51,7 @@ class HeaderParser {
     else if (keyword == "property")
       parse_property(rest);
     else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty())
-      fail(fmt::format("{} is no word of a PLY header: correct the header", in_quotes(keyword)));
+      fail(fmt::format("{} is not a word of a PLY header: correct the header", in_quotes(keyword)));
   }
 
   void parse_format(std::string_view rest) {
@@ -103,7 +103,7 @@ class HeaderParser {
   PlyScalar scalar(std::string_view word) const {
     for (const ScalarName& s : kScalars)
       if (word == s.old_name || word == s.new_name) return s.type;
-    fail(fmt::format("{} is no type of PLY: write char, uchar, short, ushort, int, uint, float or double",
+    fail(fmt::format("{} is not a type of PLY: write char, uchar, short, ushort, int, uint, float or double",
                      in_quotes(word)));
   }
 

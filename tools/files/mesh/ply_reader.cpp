@@ -109,7 +109,8 @@ class BodyReader {
 
   Index index(double value) const {
     if (value >= 0 && value < vertex_count_ && value == std::floor(value)) return static_cast<Index>(value);
-    source_.fail(fmt::format("{} is no vertex index, these are 0 to {}: correct the file", value, vertex_count_ - 1));
+    source_.fail(
+        fmt::format("{} is not a vertex index, these are 0 to {}: correct the file", value, vertex_count_ - 1));
   }
 
   [[noreturn]] void fail(const PlyElement& element, const std::string& what) const {

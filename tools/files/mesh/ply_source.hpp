@@ -49,7 +49,7 @@ class AsciiSource {
     const std::string_view word = take_word(rest_);
     if (word.empty()) fail("the line ends too early: give every value that the header announces");
     const auto value = to_double(word);
-    if (!value) fail(fmt::format("{} is no number: correct the file", in_quotes(word)));
+    if (!value) fail(fmt::format("{} is not a number: correct the file", in_quotes(word)));
     return *value;
   }
   void end_row() {

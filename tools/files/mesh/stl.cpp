@@ -105,7 +105,7 @@ class AsciiParser {
     else if (word == "solid" || word == "endsolid")
       rest_ = {};  // a name
     else if (word != "outer" && word != "loop" && word != "endfacet" && !word.empty())
-      fail(fmt::format("{} is no word of STL: correct the line", in_quotes(word)));
+      fail(fmt::format("{} is not a word of STL: correct the line", in_quotes(word)));
     return !word.empty();
   }
 

@@ -105,9 +105,9 @@ TEST(Obj, AVertexThatNothingUsesNeedsNoCoordinates) {
 TEST(Obj, EachErrorNamesItsLine) {
   const std::pair<std::string, std::string> cases[] = {
       {"v 0 0\n", "line 1: a vertex needs three"},
-      {"v 0 0 x\n", "line 1: 'x' is no number"},
+      {"v 0 0 x\n", "line 1: 'x' is not a number"},
       {"v 0 0 inf\nf 1 1 1\n", "line 1: coordinate z is not finite"},
-      {"v 0 0 0 v 5 5 5\n", "line 1: 'v' is no number"},
+      {"v 0 0 0 v 5 5 5\n", "line 1: 'v' is not a number"},
       {kFour + "f 1 2\n", "line 5: a face needs three"},
       {kFour + "f 0 1 2\n", "line 5: '0' names no vertex"},
       {kFour + "f 1 2 5\nf 1 2 3\n", "line 5: vertex 5 is named, but the file has only 4"},

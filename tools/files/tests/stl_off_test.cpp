@@ -63,8 +63,8 @@ TEST(Stl, RefusesWhatIsCutOrWrong) {
     EXPECT_THROW(parse_stl(binary.substr(0, size), "m.stl"), FileError) << size;
   EXPECT_TRUE(test::contains(message(binary + "x"), "longer than its header"));
   EXPECT_TRUE(test::contains(message(ascii.substr(0, ascii.find("endloop"))), "cut short"));
-  EXPECT_TRUE(test::contains(message("solid\nfacet normal 0 0 1\nvertex 0 0 x\n"), "line 3: 'x' is no number"));
-  EXPECT_TRUE(test::contains(message("solid\nwhat\n"), "line 2: 'what' is no word of STL"));
+  EXPECT_TRUE(test::contains(message("solid\nfacet normal 0 0 1\nvertex 0 0 x\n"), "line 3: 'x' is not a number"));
+  EXPECT_TRUE(test::contains(message("solid\nwhat\n"), "line 2: 'what' is not a word of STL"));
   EXPECT_TRUE(test::contains(message("solid\nvertex 0 0 0\nendloop\n"), "line 3: a facet needs three"));
 }
 
@@ -87,9 +87,9 @@ TEST(Off, EachErrorNamesItsLine) {
   const std::pair<std::string, std::string> cases[] = {
       {"4OFF\n1 0 0\n", "line 1: '4OFF' has points of other dimensions"},
       {"OFF BINARY\n", "line 1: binary OFF is not read"},
-      {"OFF\n3 x 0\n", "line 2: 'x' is no number of faces"},
-      {"OFF\n3 1 0\n0 0\n", "line 3: '' is no number"},
-      {three + "3 0 1 3\n", "line 6: '3' is no vertex index, these are 0 to 2"},
+      {"OFF\n3 x 0\n", "line 2: 'x' is not a number of faces"},
+      {"OFF\n3 1 0\n0 0\n", "line 3: '' is not a number"},
+      {three + "3 0 1 3\n", "line 6: '3' is not a vertex index, these are 0 to 2"},
       {three, "line 5: the file ends here"},
       {three + "0\n", "line 6: a face without corners"},
       {three + "3 0 1 2\n3 0 1 2\n", "line 7: the file holds more"},

@@ -8,7 +8,7 @@
 
 namespace tamis::python {
 
-/// Numbers of kinds; what is none is no kind either when it comes here.
+/// Numbers of kinds; what is none is not a kind either when it comes here.
 using Kinds = nb::ndarray<const std::uint8_t, nb::shape<-1>, nb::c_contig, nb::device::cpu>;
 
 /// REQUIRES: as many kinds as rows of vertices, which the Python side sees to.

@@ -158,7 +158,7 @@ def _ask(source: Any, known: _Known, options: _core.AuditOptions) -> _core.Audit
 
 
 def _names_of(source: Any) -> list[str] | None:
-    """Return the names of files that the source is; None if it is no name and no list of names."""
+    """Return the names of files that the source is; None if it is not a name and no list of names."""
     if isinstance(source, (str, bytes, os.PathLike)):
         return [file_name(source, "source")]
     is_list = isinstance(source, (list, tuple)) and len(source) > 0

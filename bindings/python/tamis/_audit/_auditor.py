@@ -135,7 +135,7 @@ class Auditor:
         InvalidStep
             An array of another shape than (n, 3), or of another type.
         InvalidOptions
-            `name` is no text.
+            `name` is not text.
         """
         called = "" if name is None else word(name, "name")
         row, label, problem, pairs = self._auditor.add(rows(positions, "positions"), called)

@@ -49,7 +49,7 @@ def read_usd(stage: str | os.PathLike[str] | Usd.Stage, *, prims: Sequence[str] 
     FileError
         The stage cannot be read, or has no mesh.
     InvalidOptions
-        `prims` is no list of paths, or the stage has no such prim.
+        `prims` is not a list of paths, or the stage has no such prim.
     ModuleNotFoundError
         usd-core is not installed: pip install usd-core.
     """

@@ -103,7 +103,7 @@ class StepLengths:
         InvalidOptions
             `keep` or another option is outside its range, or `stored` is another name.
         InvalidStep
-            As in `contacts`. With "float32" also if `start` has a number that is no float32, or if `end` is outside
+            As in `contacts`. With "float32" also if `start` has a number that is not float32, or if `end` is outside
             their range.
         """
         given = step_asked_to_keep(start, end, keep, min_separation, at_start)

@@ -123,4 +123,4 @@ def _as_rows(given: Any, dtype: np.dtype[np.void], name: str) -> npt.NDArray[np.
         return given  # type: ignore[no-any-return]
     if is_array and given.dtype == np.uint8 and len(given) % dtype.itemsize == 0:
         return given.view(dtype)  # type: ignore[no-any-return]
-    raise Error(f"{shown(given)} is no table of {name}: take what a question has returned, or its `table`")
+    raise Error(f"{shown(given)} is not a table of {name}: take what a question has returned, or its `table`")

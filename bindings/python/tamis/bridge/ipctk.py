@@ -74,7 +74,7 @@ def candidates(pairs: NamedPairs[Any], collision_mesh: ipctk.CollisionMesh) -> i
     InvalidMesh
         As in `mesh`; or the mesh lacks a feature of a pair.
     InvalidOptions
-        `pairs` is no table of pairs.
+        `pairs` is not a table of pairs.
     """
     known = _known(collision_mesh)
     given = instance(pairs, NamedPairs, "pairs", "the NearPairs or Contacts of a detector")

@@ -31,7 +31,7 @@ class Outcome:
 
 
 def refuse_constant(text):
-    raise ValueError(f"{text} is no JSON")
+    raise ValueError(f"{text} is not JSON")
 
 
 def check_texts(outcome):

@@ -32,7 +32,7 @@ class CollisionMesh:
     Raises
     ------
     InvalidMesh
-        Arrays of another shape or type, numbers that are not finite, or an index that is no vertex.
+        Arrays of another shape or type, numbers that are not finite, or an index that is not a vertex.
     """
 
     def __init__(

@@ -121,11 +121,14 @@ TEST(paper_engine, agrees_with_brute_force_on_the_first_contact_radii_and_pairs_
     Options paper = with(Method::paper), brute = with(Method::brute);
     Detector a = make_detector(scene.mesh(), paper), b = make_detector(scene.mesh(), brute);
     const QueryOptions ignore{.at_start = AtStart::ignore};
-    EXPECT_EQ(a.earliest(scene.step()).toi_lower, b.earliest(scene.step()).toi_lower) << recipe.name;
+    // Its solver has brackets of its own: both are proven, so they overlap.
+    const EarliestContact first = a.earliest(scene.step()), truth = b.earliest(scene.step());
+    EXPECT_LE(first.toi_lower, truth.toi_upper) << recipe.name;
+    EXPECT_LE(truth.toi_lower, first.toi_upper) << recipe.name;
     EXPECT_EQ(a.is_free(scene.step()), b.is_free(scene.step())) << recipe.name;
     EXPECT_EQ(difference(keys(a.contacts(scene.step(), ignore)), keys(b.contacts(scene.step(), ignore))), "")
         << recipe.name;
-    paper.radii = brute.radii = std::vector<double>(scene.start.size(), 0.001);
+    paper.radii = brute.radii = {0.001};
     EXPECT_EQ(difference(contacts_of(scene, paper), contacts_of(scene, brute)), "") << recipe.name;
   }
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "api/at_start_options.hpp"
+#include "api/at_start/at_start_options.hpp"
 #include "pair/exact/exact.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"

@@ -1,4 +1,4 @@
-#include "api/truncated.hpp"
+#include "api/truncate/truncated.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "api/truncated.hpp"
+#include "api/truncate/truncated.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "api/truncated.hpp"
+#include "api/truncate/truncated.hpp"
 #include "support/contact_sets.hpp"
 #include "support/yardstick/methods.hpp"
 #include "tamis/detector.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "api/at_start_options.hpp"
+#include "api/at_start/at_start_options.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 #include "tamis/rigid_path.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "api/truncated.hpp"
+#include "api/truncate/truncated.hpp"
 #include "scenes/scene_list.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"

@@ -57,8 +57,8 @@ void add_named(std::vector<Row>& rows, const std::vector<Pair>& pairs, const Who
   for (const Pair& pair : pairs) rows.push_back(named<Row>(pair, whose));
 }
 
-/// Puts the answers of several detectors in one order; that of one detector is in order. Equal rows, of duplicate
-/// features, stay in the order of their times, in which a detector gives them.
+/// Puts the answers of several detectors in one order. Each detector's answers are in order. Equal rows, of duplicate
+/// features, stay in the order of their times, as a detector gives them.
 template <class Row>
 void put_in_order(std::vector<Row>& rows) {
   const auto is_row_before = [](const Row& a, const Row& b) { return is_before(a, b); };

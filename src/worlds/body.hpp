@@ -14,13 +14,13 @@ namespace tamis {
 /// A step on which bodies turn is cut into at most this many pieces.
 inline constexpr double kMostPieces = 4096;
 
-/// The kinds of motion that questions tell apart: all vertices stay, go straight, or go on curves.
+/// The kinds of motion that questions tell apart: all vertices stay, go straight, or move on curves.
 enum class MotionKind : std::uint8_t { still, straight, turning };
 
 /// The chain of a body that does not deform (a static one's leads from its pose to itself). Empty if it deforms.
 RigidChain chain_of(const BodyMotion& motion);
 
-/// What a motion holds besides itself, if it deforms.
+/// The parts of a deforming motion besides itself.
 inline std::uint64_t bytes_held_by(const BodyMotion& motion) {
   const auto* soft = std::get_if<Deforming>(&motion);
   return soft ? held_bytes(soft->start, soft->end) : 0;
@@ -40,8 +40,8 @@ class Body {
   /// The body with another motion, of the same kind or another, and without the detector. Throws InvalidStep, naming
   /// the body.
   Body moved(BodyMotion motion) const;
-  /// Becomes what moved() has returned; a body that deforms before and after keeps its detector. It cannot fail, so
-  /// that a change of bodies happens as a whole or not at all.
+  /// Becomes the result of moved(). A body that deforms before and after keeps its detector. It cannot fail, so a
+  /// change of bodies happens as a whole or not at all.
   void become(Body moved) noexcept;
   /// Throws InvalidStep, naming the body.
   void validate(const BodyMotion& motion) const;
@@ -74,7 +74,7 @@ class Body {
   const Curvature& curvature() const { return curvature_; }
   double radius() const { return radius_; }
   void set_radius(double radius);
-  /// The detector of a deforming body's contacts with itself. `options`: those of the world.
+  /// The detector of a deforming body's contacts with itself. `options`: the world's.
   Detector& self_detector(const Options& options);
   std::uint64_t memory_bytes() const;
 

@@ -29,8 +29,8 @@ double rounding_bound(const RoundedTransform& place, double size) {
   return place.error_of(size, 0) + 2 * MovingBounds::kRounding * (size + place.shift_size);
 }
 
-/// A box in the frame of the world that holds the box `at_rest` of the body's frame at `place`, widened by `wider`:
-/// around the transformed center, with half edges |R| times those at rest.
+/// A box in the frame of the world that holds the box `at_rest` of the body's frame at `place`, widened by `wider`. It
+/// is around the transformed center. Its half edges are |R| times the half edges at rest.
 Box box_in_world(const Box& at_rest, const RoundedTransform& place, double wider) {
   const Point middle = at_rest.middle();
   Point half{};
@@ -94,7 +94,7 @@ ItemBounds BodyOnPiece::items(Index leaf) const {
 }
 
 /// Restricts bounds to the piece. Vertices of a body that does not turn move straight during the whole step, so its
-/// bounds at both ends are interpolated. Those of a body that turns are of the piece already.
+/// bounds at both ends are interpolated. The bounds of a body that turns are of the piece already.
 MovingBounds BodyOnPiece::cut(const Box& at_start, const Box& at_end) const {
   const Box start = unbounded_if_unknown(at_start), end = unbounded_if_unknown(at_end);
   if (body_.motion_kind() != MotionKind::straight) return {start, end};

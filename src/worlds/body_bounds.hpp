@@ -67,7 +67,7 @@ class BodyOnPiece {
   RoundedTransform at_from_, at_to_;  ///< of a body that does not turn, at t=0 and t=1
 };
 
-/// Caches a body's bounds on a piece. Each is computed when it is first asked for; references to them stay valid.
+/// Caches a body's bounds on a piece. Each is computed when it is first requested. References to them stay valid.
 class BoundsOnPiece {
  public:
   BoundsOnPiece(const Body& body, double from, double to);
@@ -78,7 +78,7 @@ class BoundsOnPiece {
 
  private:
   const BodyOnPiece body_;
-  std::vector<const MovingBounds*> bounds_;               ///< of each node; null until asked for
+  std::vector<const MovingBounds*> bounds_;               ///< of each node; null until requested
   std::vector<std::unique_ptr<const ItemBounds>> items_;  ///< of each leaf
   std::deque<MovingBounds> made_;                         ///< which bounds_ point to
 };

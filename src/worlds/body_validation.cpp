@@ -1,4 +1,4 @@
-// Which motions a body may be given, and the sentences with which others are refused.
+// Accepts the legal motions of a body, and refuses others with a sentence.
 #include <algorithm>
 #include <cmath>
 #include <string>

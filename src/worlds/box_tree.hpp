@@ -30,7 +30,7 @@ class BoxTree {
     const std::size_t first = at(leaf) * kBlock;
     return std::span(items_).subspan(first, std::min<std::size_t>(kBlock, items_.size() - first));
   }
-  /// Calls f(child), ascending, for each child of a node that is no leaf.
+  /// Calls f(child), ascending, for each child of a node that is not a leaf.
   template <class F>
   void for_each_child(Index node, const F& f) const {
     const std::size_t inner = at(node - leaf_count());
@@ -51,7 +51,7 @@ class BoxTree {
 
  private:
   std::vector<Index> items_;        ///< leaf by leaf
-  std::vector<Index> first_child_;  ///< of each node that is no leaf; the last entry is the root's number
+  std::vector<Index> first_child_;  ///< of each node that is not a leaf; the last entry is the root's number
 };
 
 }  // namespace tamis

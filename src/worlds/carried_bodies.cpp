@@ -8,7 +8,7 @@
 namespace tamis {
 namespace {
 
-/// Any order in which equal links are neighbours; 0 and -0 are equal.
+/// Any order that makes equal links neighbours; 0 and -0 are equal.
 bool is_pose_before(const Pose& a, const Pose& b) {
   return a.position != b.position ? a.position < b.position : a.rotation < b.rotation;
 }

@@ -1,5 +1,5 @@
-// Bodies that turn together: pairs of bodies whose chains share outer links. Each pair is asked about in the frame of
-// the last shared link, where only the links behind it move (docs/numerics/curves.md, "Bodies that turn together").
+// Bodies that turn together: pairs of bodies whose chains share outer links. Each pair is queried in the frame of the
+// last shared link, where only the links behind it move (docs/numerics/curves.md, "Bodies that turn together").
 #pragma once
 #include <vector>
 
@@ -15,12 +15,11 @@ struct CarriedPairs {
   RigidChain carrier;  ///< the shared links
   std::vector<BodyPair> pairs;
 
-  /// The bodies of the pairs, and those of the others that share the links, as the frame sees them. Null in place of
-  /// all others.
+  /// The bodies of the pairs, and other bodies that share the links, as the frame sees them. Null for all others.
   BodyList in_frame(const BodyList& bodies, const std::vector<BodyId>& others) const;
 };
 
-/// Those of the pairs that turn together, ascending in each frame.
+/// The pairs that turn together, ascending in each frame.
 std::vector<CarriedPairs> carried_pairs(const BodyList& bodies, const std::vector<BodyPair>& pairs);
 
 /// For each of these bodies the first one of them that turns together with it, which may be itself. REQUIRES: no null

@@ -16,18 +16,17 @@ class Gathered {
  public:
   /// Bodies with a lesser kind of motion than `least` are passive: they do not meet each other. These are the bodies
   /// that stay, or in a question about curves those that do not turn. In a question about curves bodies that turn
-  /// together do not meet each other here. `options`: those of the detector, without groups. REQUIRES: `items` is not
-  /// empty.
+  /// together do not meet each other here. `options`: the detector's, without groups. REQUIRES: `items` is not empty.
   Gathered(const BodyList& bodies, NearItems items, MotionKind least, const std::set<BodyPair>& excluded_pairs,
            const Options& options);
   Gathered(const Gathered&) = delete;
 
   /// Does each body have the same kind of motion as when this was made, and do the same bodies turn together?
   bool keeps_motion_kinds(const BodyList& bodies) const;
-  /// The links that carry the frame in which bodies are given to this from now on; empty: that of the world.
+  /// The links that carry the frame of the bodies given from now on; empty: the frame of the world.
   void set_carrier(RigidChain carrier) { carrier_ = std::move(carrier); }
   const NearItems& items() const { return items_; }
-  /// Those of items().pairs, for the vertices of the gathered mesh.
+  /// The same as items().pairs, for the vertices of the gathered mesh.
   const BodyPairs& body_pairs() const { return body_pairs_; }
   std::vector<BodyId> body_ids() const;
 

@@ -1,5 +1,5 @@
-// Gathering: which bodies are near enough to be asked about, which of their items are gathered as one mesh, and how
-// long this mesh serves later questions.
+// Gathering: finds the bodies that are near enough, gathers their items as one mesh, and tells how long this mesh
+// serves later questions.
 #pragma once
 #include <map>
 #include <memory>
@@ -10,10 +10,10 @@
 
 namespace tamis {
 
-/// One gathered mesh, of pairs of bodies whose vertices all go straight, of pairs of which one body turns and that do
-/// not turn together, of pairs that turn together in their frame, or of all pairs in a pose.
+/// One gathered mesh. It holds pairs of bodies whose vertices all go straight, or pairs with a body that turns, or
+/// pairs that turn together, in their frame. Or it holds all pairs in a pose.
 struct Gathering {
-  MotionKind least, most;  ///< of the body that moves more in a pair asked about
+  MotionKind least, most;  ///< of the body that moves more in a queried pair
   /// Items within this many mean edges of the finest body beyond the needed distance are gathered, too. So the mesh
   /// serves later questions.
   double margin_in_edges;

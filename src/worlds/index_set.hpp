@@ -1,4 +1,4 @@
-// A set of indices below a fixed count, such as those of a body's items.
+// A set of indices below a fixed count, such as the numbers of a body's items.
 #pragma once
 #include <algorithm>
 #include <bit>

@@ -14,7 +14,7 @@
 namespace tamis {
 namespace {
 
-/// The nodes that have all their items in a set, each tested when first asked for. Items added later do not count.
+/// The nodes that have all their items in a set, each tested when first requested. Items added later do not count.
 class WholeNodes {
  public:
   WholeNodes(const BoxTree& tree, const IndexSet& near) : tree_(tree), near_(near), answers_(at(tree.node_count())) {}

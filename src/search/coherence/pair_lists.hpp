@@ -1,4 +1,4 @@
-// Lists, of any length, of pairs of features, each pair with the part of a step in which it may touch.
+// Lists of any length of pairs of features. Each pair has the part of a step when it may touch.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -37,7 +37,7 @@ class PairList {
   std::vector<std::vector<Candidate>> parts_;
 };
 
-/// Appends to `pairs` those of `listed` that may touch at some time of `when`. In `pairs` their times are [0, t_limit].
+/// Appends to `pairs` each of `listed` that may touch at some time of `when`. In `pairs` their times are [0, t_limit].
 /// REQUIRES: room for all of them, times in order.
 void append(std::span<const Candidate> listed, const TimeInterval<float>& when, float t_limit, PairBuffer& pairs);
 

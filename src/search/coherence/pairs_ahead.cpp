@@ -14,7 +14,7 @@ namespace {
 constexpr double kFewestSteps = 4, kMostSteps = 16;
 /// Slack in mean edges: the least, which costs nothing, and the most, which limits how many steps are predicted.
 constexpr double kLeastSlackInEdges = 0x1p-12, kMostSlackInEdges = 0x1p-4;
-/// The largest deviation after one step with which kFewestSteps still need no more than the most slack.
+/// The largest deviation after one step that lets kFewestSteps need no more than the most slack.
 constexpr double kMostDeviationInEdges = kMostSlackInEdges / (kFewestSteps * kFewestSteps);
 /// Queries that lists must serve to be worth their cost.
 constexpr int kQueriesWorthLists = 2, kQueriesWorthListsOfOneStep = 1;
@@ -83,8 +83,8 @@ std::optional<Listing> PairsAhead::plan(const Query& query) {
 }
 
 /// Plans lists for a step from the last query's start in the same direction, `length` times as long. They are for this
-/// step alone, and where only the first contact is asked for, they end at the time of the last query's first contact.
-/// Returns false if that time is unknown.
+/// step alone. For a first contact they end at the time of the last query's first contact. Returns false if that time
+/// is unknown.
 bool PairsAhead::plan_for_same_start(Question question, double length) {
   constexpr double kBeyond = 1 + 0x1p-10, kLeast = 0x1p-20;
   steps_listed_ = 1;
@@ -97,7 +97,7 @@ bool PairsAhead::plan_for_same_start(Question question, double length) {
   return question == Question::earliest;
 }
 
-/// Plans lists for several steps that go on as the last one did.
+/// Plans lists for several steps that continue the last one.
 bool PairsAhead::plan_steps(Question question, const PredictedStep::Fit& fit) {
   // A search for is_free ends at a contact, at a fraction of the cost of lists. The next step often has one, too.
   if (question == Question::is_free && !(no_contact_before_ && *no_contact_before_ >= 1)) return false;

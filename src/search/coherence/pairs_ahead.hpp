@@ -1,5 +1,5 @@
-// Pairs listed ahead: while a mesh moves on as before, or the same step is asked about again, as in a line search, the
-// pairs that may touch on the predicted step are listed once, and the queries that follow it decide only those.
+// Pairs listed ahead. While a mesh moves as before, or the same step is queried again, as in a line search, the pairs
+// that may touch on the predicted step are listed once. The queries that follow the prediction decide only those.
 #pragma once
 #include <vector>
 
@@ -21,7 +21,7 @@ class PairsAhead final : public KeptLists {
   bool begin(const Query& query);
   /// After the listed pairs have been decided: may another pair still touch, so the trees must be searched?
   bool leaves_undecided(const ContactCollector& answer) const;
-  /// Lists are worth making if the query goes on as the last one did: the pairs of the step that is predicted then.
+  /// Lists are worth making if the query continues the last one: the pairs of the step that is predicted then.
   std::optional<Listing> plan(const Query& query) override;
   /// The times of the predicted step that this query covers.
   const TimeInterval<float>& when() const { return when_; }
@@ -46,7 +46,7 @@ class PairsAhead final : public KeptLists {
   double edge_ = 0;            ///< the mean edge of the finest part, when lists were last planned
   double separation_ = 0;      ///< fixed separation of the query for which the lists were made
   TimeInterval<float> when_{};
-  bool same_start_ = false;  ///< the lists are for one step, whose start is that of the query before
+  bool same_start_ = false;  ///< the lists are for one step, with the start of the query before
   float listed_until_ = 1;   ///< pairs are listed until this time of the predicted step
   std::optional<double> no_contact_before_ =
       1;  ///< the last query's step is free until then, 1: to its end; nothing: unknown

@@ -1,6 +1,6 @@
-// Pairs near at the start: a solver that truncates each of its iterations asks about one start again and again. Pairs
-// so close at the start that their vertices' displacements may use up the distance are listed once, and each further
-// question decides only those.
+// Pairs near at the start, for a solver that truncates each of its iterations from one start. Pairs so close at the
+// start that their vertices' displacements may use up the distance are listed once. Each further question decides only
+// those.
 #pragma once
 #include <array>
 #include <vector>
@@ -16,8 +16,8 @@ class PairsNearStart final : public KeptLists {
   /// Keeps a reference.
   explicit PairsNearStart(const Mesh& mesh) : KeptLists({.first = 1}), mesh_(mesh) {}
 
-  /// Begins a question. `lists_all`: it asks for every pair that ends the step, as a truncation does after it has asked
-  /// for one step length for all. Returns true if the lists hold all pairs that may end the step.
+  /// Begins a question. `lists_all`: it wants every pair that ends the step, as a truncation does after it has one step
+  /// length for all. Returns true if the lists hold all pairs that may end the step.
   bool begin(const Query& query, double fraction, bool lists_all);
   /// In a truncation, if this start will be truncated again, the pairs near at the start are worth listing.
   std::optional<Listing> plan(const Query& query) override;
@@ -43,7 +43,7 @@ class PairsNearStart final : public KeptLists {
   const double* radii_ = nullptr;      ///< the query's when the lists were made
   double separation_ = 0;
   double fraction_ = 0;      ///< the part of the distance that the last question wants kept
-  bool lists_all_ = false;   ///< the last question asks for every pair
+  bool lists_all_ = false;   ///< the last question wants every pair
   bool same_start_ = false;  ///< the last question has the start of the one before it
   // Lists pay from a start's second truncation on: has this start had one, and two. Had the last two starts two?
   bool is_truncated_ = false, is_truncated_again_ = false;

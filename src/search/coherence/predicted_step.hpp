@@ -1,4 +1,4 @@
-// A step predicted from the last one: where vertices will be if they go on like that for several steps.
+// A step predicted from the last one: where vertices will be if they continue like that for several steps.
 #pragma once
 #include <optional>
 #include <span>

@@ -10,7 +10,7 @@
 
 namespace tamis {
 
-/// What the threads share.
+/// Shared by the threads.
 struct CandidateQuery {
   const Query& query;
   std::atomic<std::int64_t> pairs_left;  ///< how many more may be listed
@@ -49,7 +49,7 @@ class CandidateSearch {
   /// false if some are missing: there are more than kMostPairsPerBlock times the blocks, or the first samples suggest
   /// it. Leaves the trees refitted to the listing's step.
   bool list(const Query& query, const Listing& listing, PairLists& lists, Statistics& statistics);
-  /// Prepares lists or trees for a query. Returns true if the lists are to be asked: the vertices of this step are then
+  /// Prepares lists or trees for a query. Returns true if the lists serve the query: the vertices of this step are then
   /// loaded, if the lists hold any pair. Returns false if the trees must be searched, which are then of this step.
   /// `is_listed`: the present lists serve this query. If not, others are made if they are worth their cost.
   bool prepare(const Query& query, LooksAt looks_at, bool is_listed, KeptLists& kept, Statistics& statistics);

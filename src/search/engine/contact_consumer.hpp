@@ -29,7 +29,7 @@ class ContactConsumer final : public PairStream {
  private:
   /// Contacts that begin later cannot change the answer. Below 0 where no contact can: lanes then find none.
   double latest() const { return found_.bound().latest(); }
-  /// Removes pairs that groups or the caller's filter leave out, or that can no longer change the answer.
+  /// Removes pairs that groups or the caller's filter exclude, or that can no longer change the answer.
   void leave_out_unwanted(PairKind kind, PairBuffer& pairs);
   /// Ends each pair's time at the latest one of interest for its bodies: the slab clip then removes pairs that come
   /// later.

@@ -24,7 +24,7 @@ class FeatureTrees {
 
   // REQUIRES, all: as many positions as the mesh has vertices. REQUIRES (not checked: O(n)): a validated step.
 
-  // `frame`: of the whole scene, if the mesh is a part of it; null: that of the mesh.
+  // `frame`: of the whole scene, if the mesh is a part of it; null: of the mesh.
 
   /// Gives the trees the boxes of this step: refits them, or rebuilds them where their order has become poor or was
   /// chosen for other questions. Does nothing if they are current, in an order that serves. Adds seconds and `rebuilt`.
@@ -33,14 +33,14 @@ class FeatureTrees {
 
   /// Refits to any step in the old order. REQUIRES: an earlier refit_or_rebuild() that ended.
   void refit_for(const Step& step, const Separations& separations, const BoxFrame* frame);
-  /// Loads the vertices alone. The boxes stay those of an earlier step, if any, and must not be searched.
+  /// Loads the vertices alone. The boxes stay as for an earlier step, if any, and must not be searched.
   void load_vertices(const Step& step, const Separations& separations, const BoxFrame* frame, Statistics& statistics);
-  /// Are boxes and vertices those of this step? Judged by one vertex.
+  /// True if boxes and vertices are of this step, judged by one vertex.
   bool are_of(const Step& step) const;
   /// Refits the boxes of residuals: displacements less a shared motion. REQUIRES: current boxes.
   void refit_residuals(const SharedMotion& shared);
-  /// Marks the vertices that are not 0 here: until another step is loaded, searches leave out pairs of blocks without
-  /// a marked vertex. Empty: they leave out none. REQUIRES: current boxes, or empty.
+  /// Marks the vertices that are not 0 here: until another step is loaded, searches skip pairs of blocks without a
+  /// marked vertex. Empty: they skip none. REQUIRES: current boxes, or empty.
   void mark(std::span<const std::uint8_t> of_vertex);
 
   /// Takes note of the pairs of nodes that a search visited.
@@ -53,7 +53,7 @@ class FeatureTrees {
   int most_leaf_blocks() const { return std::max(points_.view().leaf_blocks, edges_.view().leaf_blocks); }
   TreeView edges() const { return edges_.view(); }
   TreeView faces() const { return faces_.view(); }
-  /// Calls f(kind, a, b) for each kind of which the mesh has pairs, with the trees of its two features.
+  /// Calls f(kind, a, b) for each kind that the mesh has pairs of, with the trees of its two features.
   template <class F>
   void for_each_kind(const F& f) const {
     for (std::size_t i = 0; i < kPairKinds; ++i)
@@ -73,7 +73,7 @@ class FeatureTrees {
   OrderAxes best_axes(LooksAt looks_at) const;
   BlockTree::Areas areas() const;
   /// The trees of a kind's two features. Loose points are searched against loose edges and each other: all other
-  /// contacts of points and edges are among those of faces and of edges.
+  /// contacts of points and edges are contacts of faces or of edges.
   std::array<const BlockTree*, 2> trees_of(PairKind kind) const;
   std::array<BlockTree*, 5> trees() { return {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}; }
   std::array<const BlockTree*, 5> trees() const { return {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}; }

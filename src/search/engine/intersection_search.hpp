@@ -10,10 +10,10 @@
 
 namespace tamis {
 
-/// What the threads share.
+/// Shared by the threads.
 struct IntersectionQuery {
   const Query& query;
-  Bound bound = {};  ///< settled: nothing more is asked for
+  Bound bound = {};  ///< settled: the answer is complete
 };
 
 class IntersectionConsumer final : public PairStream {

@@ -1,6 +1,6 @@
-// Operations on a PairBuffer. `leave_out` is the one place where pairs are left out by their identity rather than their
-// positions: each consumer calls it where that costs least, before a pair is decided (ProximityConsumer after its
-// distance). Only the rings (Query::are_neighbours) are asked after that.
+// Operations on a PairBuffer. `leave_out` is the one place that excludes pairs by their identity, not by their
+// positions. Each consumer calls it where that costs least, before a pair is decided (ProximityConsumer after its
+// distance). Only the rings (Query::are_neighbours) are tested after that.
 #pragma once
 #include "numbers/assert.hpp"
 #include "search/kernels/kernels.hpp"

@@ -22,7 +22,7 @@ class PairStream {
   /// Takes the pairs of a list that may touch at some time of `when`, for contacts until `t_limit`. `when` is in times
   /// of the list's step, `t_limit` in times of the query's.
   void search(PairKind kind, std::span<const Candidate> pairs, const TimeInterval<float>& when, float t_limit);
-  /// Consumes what is still in the buffer.
+  /// Consumes the rest of the buffer.
   void finish();
   /// The number of pairs still in the buffer.
   int waiting() const { return thread_.boxes.count; }
@@ -33,7 +33,7 @@ class PairStream {
   const SearchCounts& counts() const { return thread_.counts; }
 
  protected:
-  /// Begins a query, and drops what an exception may have left of another one.
+  /// Begins a query, and drops pairs that an exception may have left of another one.
   void begin(const Query& query);
   SearchThread& thread() const { return thread_; }
 
@@ -41,7 +41,7 @@ class PairStream {
   virtual SearchKernel kernel(PairKind kind) const = 0;
   /// Sets the search's limits other than time; called again after each full buffer.
   virtual void set_limits(Search&) const {}
-  /// Consumes the pairs, each of which is there once, and may overwrite them.
+  /// Consumes the pairs, each once, and may overwrite them.
   virtual void consume(PairKind kind, PairBuffer& pairs) = 0;
 
  private:

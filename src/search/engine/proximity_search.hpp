@@ -45,7 +45,7 @@ class ProximitySearch {
   std::uint64_t memory_bytes() const { return held_bytes(order_, streams_, lists_); }
 
  private:
-  /// Merges what the threads found into one ordered list a kind.
+  /// Merges the threads' pairs into one ordered list a kind.
   void gather(const Query& query);
   void describe(std::vector<NearPair>& pairs);
 

@@ -1,5 +1,4 @@
-// Samples of leaf blocks: searched one after the other, so what an early one finds shortens the search of the
-// rest.
+// Samples of leaf blocks, searched one after the other. A contact in an early sample shortens the search of the rest.
 #pragma once
 #include <array>
 

@@ -1,5 +1,5 @@
-// The beginning [0, T] of a step, as a step of its own: for steps on which vertices go so far that the floats of the
-// boxes make a point of the scene at t=0.
+// The beginning [0, T] of a step, as a step of its own. For steps so long that the floats of the boxes make a point of
+// the scene at t=0.
 #pragma once
 #include <span>
 

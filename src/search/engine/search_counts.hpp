@@ -1,4 +1,4 @@
-// What a question has cost: pairs that entered each stage, and where the time went.
+// The cost of a question: pairs that entered each stage, and seconds.
 #pragma once
 #include <initializer_list>
 
@@ -15,8 +15,8 @@ struct SearchCounts {
   double traverse = 0, filter = 0, solving = 0;  ///< seconds
 
   SearchCounts& operator+=(const SearchCounts& other);
-  /// Adds the counts to `statistics`, beside those of earlier passes. `wall`: wall-clock seconds of this pass, which
-  /// are shared out in proportion. `stages`: those of the question, in order.
+  /// Adds the counts to `statistics`, beside earlier passes. `wall`: wall-clock seconds of this pass, shared out in
+  /// proportion. `stages`: the question's stages, in order.
   void add_to(Statistics& statistics, double wall, std::initializer_list<StageCount SearchCounts::*> stages) const;
 };
 

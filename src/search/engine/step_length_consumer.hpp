@@ -10,20 +10,20 @@
 
 namespace tamis {
 
-/// What the threads share. `bound`: the earliest time known at which a pair ends the step.
+/// Shared by the threads. `bound`: the earliest known time when a pair ends the step.
 struct StepLengthQuery {
   const Query& query;
   double fraction;
   bool lists_all;                   ///< all pairs that end the step are listed: the bound is not lowered
   float spread = 0;                 ///< as in PackedMotion
-  SharedMotion shared_motion = {};  ///< the motion that residuals leave out
+  SharedMotion shared_motion = {};  ///< the motion that is taken off residuals
   double separation = 0;            ///< the largest of any pair, in the coordinates of the boxes
   Bound bound = {};
 
   /// The rule for pairs that may still end the step first, in time or in the order of contacts. Its limit is later than
-  /// the bound by 2^-15 of it, which covers the limit's own rounding, that of the searches in floats, and what the
-  /// times of single pairs lose (2^-18, keeps_distance_until). So no pair is left out that might have the same time as
-  /// the first, and the order of the search changes nothing.
+  /// the bound by 2^-15 of it. That covers the rounding of the limit and of the searches in floats, and the loss of
+  /// single pairs' times (2^-18, keeps_distance_until). So no pair is skipped that might have the same time as the
+  /// first, and the order of the search changes nothing.
   KeepRule rule() const;
 
  private:

@@ -16,13 +16,13 @@ constexpr double kShortSteps[] = {0x1p-6, 0x1p-3};
 /// Short steps are no longer than this part of the time known to end the step: one that is hardly shorter meets hardly
 /// fewer pairs (docs/history/performance.md, "Steps made to be slow").
 constexpr double kShort = 0.25;
-/// In the coordinates of the boxes: with the separation kMeetsAll all boxes meet but those of outliers; with
-/// kMeetsOutliers, these too.
+/// In the coordinates of the boxes: with the separation kMeetsAll all boxes meet but outliers'; with kMeetsOutliers,
+/// these too.
 constexpr double kMeetsAll = 8, kMeetsOutliers = 4 * BoxFrame::kFarthest;
 
 }  // namespace
 
-/// Returns true if the lists are to be asked, false if the trees must be searched.
+/// Returns true if the lists serve the query, false if the trees must be searched.
 bool StepLengthSearch::begin(StepLengthQuery& asked, Statistics& statistics) {
   TAMIS_ASSERT(0 < asked.fraction && asked.fraction < 1);
   TAMIS_ASSERT(asked.query.changed.empty() || asked.query.changed.size() == at(workspace_.mesh.vertex_count()));

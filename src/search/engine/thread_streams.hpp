@@ -7,7 +7,7 @@
 namespace tamis {
 
 /// `Consumer`: a PairStream that is constructed with a SearchThread and begins with a `Consumer::Shared`. Pairs of one
-/// part of a search wait in the buffer for those of the next. The search for a kind ends when all are consumed.
+/// part of a search wait in the buffer for the next part. The search for a kind ends when all are consumed.
 template <class Consumer>
 class ThreadStreams {
  public:
@@ -74,8 +74,8 @@ class ThreadStreams {
     for_each([&](const Consumer& one) { sum += one.counts(); });
     return sum;
   }
-  /// Adds the counts to the statistics, and returns them. `wall`: wall-clock seconds of the search. `stages`: those of
-  /// the question, in order.
+  /// Adds the counts to the statistics, and returns them. `wall`: wall-clock seconds of the search. `stages`: the
+  /// question's stages, in order.
   SearchCounts report(Statistics& statistics, double wall,
                       std::initializer_list<StageCount SearchCounts::*> stages) const {
     const SearchCounts sum = counts();
@@ -100,7 +100,7 @@ class ThreadStreams {
     finish();
   }
 
-  /// Consumes what is left in the buffers, in parallel if that is much.
+  /// Consumes the rest of the buffers, in parallel if that is much.
   void finish() {
     constexpr int kPairsWorthSharing = 512;
     int left = 0;

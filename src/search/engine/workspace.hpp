@@ -1,4 +1,4 @@
-// What all searches of an engine share: the trees, and one set of buffers a thread, whatever is asked.
+// Shared by all searches of an engine: the trees, and one set of buffers a thread.
 #pragma once
 #include <tbb/enumerable_thread_specific.h>
 
@@ -36,7 +36,7 @@ struct SearchThread {
 
   const Kernels& kernels;
   const PackedMotion& motion;
-  PairBuffer boxes;                 ///< what the stream fills: pairs whose boxes meet
+  PairBuffer boxes;                 ///< filled by the stream: pairs whose boxes meet
   PairBuffer clipped, filtered;     ///< buffers for a stage to fill and to return
   std::vector<DecidedPair> singly;  ///< for decide_singly()
   SearchCounts counts;

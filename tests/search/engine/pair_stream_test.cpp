@@ -175,7 +175,7 @@ class PairStreams : public testing::TestWithParam<int> {
 
   scenes::Scene scene_ = soup();
   const Mesh mesh_ = scene_.mesh();
-  const Options options_;
+  const Options options_{};
   const Rings rings_{mesh_, 1};
   Workspace workspace_{mesh_, options_};
   ThreadStreams<Recorder> streams_{workspace_};

@@ -81,7 +81,8 @@ def write_mesh(
     FileError
         The file cannot be written, or its name has another ending.
     InvalidMesh
-        An index that is not a row of the positions, a coordinate that is not finite, or an array of another shape or type.
+        An index that is not a row of the positions, a coordinate that is not finite, or an array of another shape or
+        type.
     """
     vertices = finite(packed_rows(positions, "positions", InvalidMesh), "positions", InvalidMesh)
     triangles, rods = indices(faces, 3, "faces", InvalidMesh), indices_or_none(edges, 2, "edges", InvalidMesh)

@@ -34,8 +34,8 @@ def distance_of(kind: npt.ArrayLike, vertices: npt.ArrayLike, positions: npt.Arr
     Raises
     ------
     InvalidStep
-        An array of another shape or type, no such kind, an index that is not a row of the positions, or a coordinate that
-        is not finite. The message names the pair.
+        An array of another shape or type, no such kind, an index that is not a row of the positions, or a
+        coordinate that is not finite. The message names the pair.
 
     Examples
     --------

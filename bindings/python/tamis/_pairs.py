@@ -167,8 +167,8 @@ def narrow_phase(
     Raises
     ------
     InvalidStep
-        An array of another shape or type, no such kind, an index that is not a row of the positions, or a coordinate that
-        is not finite. The message names the pair.
+        An array of another shape or type, no such kind, an index that is not a row of the positions, or a
+        coordinate that is not finite. The message names the pair.
     InvalidPath
         The same for a path, or a path that breaks its promises.
     InvalidOptions

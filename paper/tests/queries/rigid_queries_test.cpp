@@ -45,7 +45,7 @@ TEST(RigidQueries, PosesAndPointsAreTaken) {
 
 // Bug: half a file answers as if a corner were at the origin.
 TEST(RigidQueries, ErrorsNameThePlace) {
-  EXPECT_TRUE(test::contains(rigid_error_of("{"), "no JSON"));
+  EXPECT_TRUE(test::contains(rigid_error_of("{"), "not JSON"));
   EXPECT_TRUE(test::contains(rigid_error_of("[]"), "type: is missing"));
   EXPECT_TRUE(test::contains(rigid_error_of(R"({"type":"vv"})"), "neither fv nor ee"));
   EXPECT_TRUE(test::contains(rigid_error_of(R"({"type":"ee"})"), "edge0: is missing"));

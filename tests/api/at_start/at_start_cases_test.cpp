@@ -35,7 +35,7 @@ TEST_F(OnAFace, FailureNamesThePair) {
     return "";
   };
   EXPECT_EQ(sentence_of(0),
-            "vertex 3 and face 0 1 2 touch at the start of the step: move them apart, leave the pair out, or ask with "
+            "vertex 3 and face 0 1 2 touch at the start of the step: move them apart, leave the pair out, or pass "
             "at_start ignore");
   EXPECT_NE(sentence_of(0.125).find("within 0.125 of each other"), std::string::npos);
   start[3][2] = end[3][2] = 0.5;

@@ -8,7 +8,7 @@ import tamis
 
 _RAW = re.compile(
     r"incompatible function|nanobind|_core|std::|max_size|bad_alloc|has no attribute|truth value|not subscriptable|"
-    r"unhashable|object is not|unsupported operand|could not be broadcast|cannot reshape|<[\w.]+ object at"
+    r"unhashable|object is not (?!an? )|unsupported operand|could not be broadcast|cannot reshape|<[\w.]+ object at"
 )
 # The words of the library's sentences for Python's arguments, whose names it does not know.
 _WORDS = {

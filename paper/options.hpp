@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "paper/reduced_model.hpp"
-#include "tamis/options.hpp"
+#include "support/yardstick/library_options.hpp"
 
 namespace tamis::lab {
 
@@ -55,23 +55,11 @@ struct PaperOptions {
 /// What PaperOptions::filters may name.
 std::vector<std::string_view> filter_names();
 
-/// The library's options and the method, for make_detector (paper/detector.hpp). Does not convert to tamis::Options: a
-/// Detector made from those would silently use the method `tamis`.
-class Options : private tamis::Options {
- public:
-  Options() = default;
-  Options(tamis::Options given) : tamis::Options(std::move(given)) {}  // NOLINT(google-explicit-constructor)
-
-  using tamis::Options::filter;
-  using tamis::Options::is_cancelled;
-  using tamis::Options::isa;  ///< methods paper and brute find contacts in baseline, whatever it says
-  using tamis::Options::min_separation;
-  using tamis::Options::radii;
-  using tamis::Options::threads;
+/// The library's options and the method, for make_detector (paper/detector.hpp).
+struct Options : yardstick::LibraryOptions {
+  using LibraryOptions::LibraryOptions;
   Method method = Method::tamis;
   PaperOptions paper;
-
-  const tamis::Options& of_library() const { return *this; }
 };
 
 /// Sets `method` and `paper` from one name: a method's, or "paper-" and a competitor's. Competitors: dnf, ncf (that

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "support/yardstick/library_options.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::yardstick {
@@ -14,22 +15,10 @@ enum class Method : std::uint8_t {
 
 std::string_view name_of(Method);
 
-/// The library's options and the method. Does not convert to tamis::Options: a Detector made from those would silently
-/// use the method `tamis`.
-class Options : private tamis::Options {
- public:
-  Options() = default;
-  Options(tamis::Options given) : tamis::Options(std::move(given)) {}  // NOLINT(google-explicit-constructor)
-
-  using tamis::Options::filter;
-  using tamis::Options::is_cancelled;
-  using tamis::Options::isa;
-  using tamis::Options::min_separation;
-  using tamis::Options::radii;
-  using tamis::Options::threads;
+/// The library's options and the method.
+struct Options : LibraryOptions {
+  using LibraryOptions::LibraryOptions;
   Method method = Method::tamis;
-
-  const tamis::Options& of_library() const { return *this; }
 };
 
 /// Validates and sorts as every Detector does. Throws InvalidOptions as Detector does.

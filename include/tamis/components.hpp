@@ -9,7 +9,7 @@ namespace tamis {
 /// Connected components, numbered as PairFilter::group_of_vertex numbers groups. Use them to skip pairs, or to give
 /// each component a radius.
 struct Components {
-  /// For each vertex of the mesh the number of its component, in [0, count): components are in the order of their first
+  /// For each vertex of the mesh the number of its component, in [0, count). Components are in the order of their first
   /// vertices. -1 for a vertex that takes no part in contacts (it is not in Mesh::points).
   std::vector<Index> of_vertex;
   Index count = 0;

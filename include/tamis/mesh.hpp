@@ -32,8 +32,8 @@ class Mesh {
   /// Returns the vertices that take part in contacts: used by a face or an edge, or loose; ascending.
   [[nodiscard]] std::span<const Index> points() const { return points_; }
 
-  /// Returns all triangles incident to an edge, which is given by its place in edges(): none for a rod, one for a
-  /// border edge, two within a manifold, any number otherwise.
+  /// Returns all triangles incident to an edge, which is given by its place in edges(). There are none for a rod, one
+  /// for a border edge, two within a manifold, any number otherwise.
   [[nodiscard]] std::span<const Index> faces_of_edge(Index edge) const {
     return row_of(faces_of_edges_, first_face_of_edge_, edge);
   }

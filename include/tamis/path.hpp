@@ -21,7 +21,7 @@ struct CarriedPath;
 
 /// How all vertices move for t in [0,1], on continuous curves. Derive from it, or take a ready-made path
 /// (tamis/rigid_path.hpp, tamis/spline_path.hpp). All calls are const and may come from several threads at a time.
-/// Answers are only as true as the path's bounds: these must hold in spite of the path's own rounding.
+/// Answers are only as true as the path's bounds. These must hold in spite of the path's own rounding.
 class Path {
  public:
   virtual ~Path() = default;
@@ -44,7 +44,7 @@ class Path {
                           std::span<double> deviations) const = 0;
 
   /// Writes for each vertex a direction d, of any length, along which it moves at constant speed although its curve
-  /// bends: d.x(t) is linear in t, exactly, for d as stored, so deviations are orthogonal to d. Zeros where none is
+  /// bends: d.x(t) is linear in t, exactly, for d as stored. So deviations are orthogonal to d. Zeros where none is
   /// known; by default all are zeros. A body that turns about a fixed axis has such a direction, its axis. Bodies that
   /// slide past each other on planes orthogonal to d are proven apart by it.
   virtual void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const;
@@ -63,11 +63,11 @@ struct CarriedPath {
 };
 
 /// Decides a vertex p against a face a b c that move on a path; `vertices` holds their numbers in the path.
-/// Returns the answer as vertex_face for straight motion: free is proven, and a certified contact has a bracket no
-/// wider than the tolerance. A pair that double-double arithmetic cannot decide (a touch without crossing, a crossing
-/// exactly on an edge) is an unresolved contact. With a separation a pair is unresolved if doubles cannot decide it
+/// Returns the answer as vertex_face for straight motion. Free is proven. A certified contact has a bracket no wider
+/// than the tolerance. A pair that double-double arithmetic cannot decide (a touch without crossing, a crossing exactly
+/// on an edge) is an unresolved contact. With a separation a pair is unresolved if doubles cannot decide it
 /// (docs/numerics/curves.md, "Curved motion").
-/// Throws InvalidPath if the path breaks its promises or has no such vertex, InvalidOptions on an option
+/// Throws InvalidPath if the path breaks its promises or has no such vertex. Throws InvalidOptions on an option
 /// outside its range.
 [[nodiscard]] PairResult vertex_face(const Path& path, const std::array<Index, 4>& vertices, const PairOptions& = {});
 /// Decides edge (0,1) against edge (2,3); otherwise the same.

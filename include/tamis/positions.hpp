@@ -124,7 +124,7 @@ class Positions {
   std::ptrdiff_t stride() const { return stride_; }
 
  private:
-  /// The count, or -1 if it does not fit into Index: no mesh has -1 vertices, and every question refuses it.
+  /// The count, or -1 if it does not fit into Index. No mesh has -1 vertices, so every question refuses it.
   static constexpr Index index_count(std::size_t count) {
     return count <= static_cast<std::size_t>(std::numeric_limits<Index>::max()) ? static_cast<Index>(count) : -1;
   }

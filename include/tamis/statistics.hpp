@@ -68,7 +68,7 @@ struct Statistics {
   std::uint64_t nodes_visited = 0;  ///< nodes of the trees, also to list pairs ahead; 0 if pairs had been listed
   bool rebuilt = false;             ///< the hierarchy was built, not refitted
   /// Memory that the detector holds: hierarchy, buffers, contacts, groups, rings. With more than one thread it differs
-  /// from run to run, as each thread's buffers grow with that thread's share of the work.
+  /// from run to run. Each thread's buffers grow with that thread's share of the work.
   std::uint64_t memory_bytes = 0;
 };
 

@@ -1,6 +1,5 @@
-// How far may each vertex of a pair go by itself? Planes between the two features, placed at one time, stop each vertex
-// before it leaves its feature's side. Computed in doubles without proof: api/truncation.hpp proves the resulting
-// step.
+// How far each vertex of a pair may go by itself. Planes between the two features, placed at one time, stop each vertex
+// before it leaves its feature's side. Computed in doubles without proof: api/truncation.hpp proves the resulting step.
 #pragma once
 #include <algorithm>
 #include <array>

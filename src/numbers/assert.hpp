@@ -1,4 +1,4 @@
-// Contracts: a condition that a comment calls REQUIRES is checked in the tests' build if the check costs O(1).
+// Contracts. A condition that a comment calls REQUIRES is checked in the tests' build if the check costs O(1).
 #pragma once
 
 // TAMIS_ASSERT(condition): where TAMIS_CHECK_CONTRACTS is defined, a condition that does not hold is printed with its

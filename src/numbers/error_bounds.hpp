@@ -1,6 +1,6 @@
-// Every rounding-error constant of the double-precision culling and solving, with its derivation in short.
-// Docs/numerics/one-pair.md has the long form. Unit: the roundoff u of the number type, times the product of the sizes
-// of the vectors involved.
+// Every rounding-error constant of the double-precision culling and solving, with its derivation in short. The long
+// form is in docs/numerics/one-pair.md. Unit: the roundoff u of the number type, times the product of the sizes of the
+// vectors involved.
 //
 // A pair is three moving vectors e, f, d. Their sizes E, F, D are the largest |component| at t=0 and t=1. All are
 // scaled by a power of two so the largest size is below 1 (pair/motion/pair_motion.hpp).
@@ -62,12 +62,12 @@ inline constexpr double kCoplanarityNow = 104;
 inline constexpr double kCoplanaritySlope = 1600;
 
 // From a value of K at time t to a value at t + r, in the unit of time of a part of the step. K'' = 2 (d'.(e' x f) +
-// d'.(e x f') + d.(e' x f')) is at most 2 * 3 * 6 * 2 * 2 = 144 DEF, so K changes by K' r and at most kBend r^2 DEF. K'
-// at the place of t in the part, which is known to 3 u of the step: off by kCoplanaritySlope + 3 * 144.
+// d'.(e x f') + d.(e' x f')) is at most 2 * 3 * 6 * 2 * 2 = 144 DEF, so K changes by K' r and by at most kBend r^2 DEF.
+// K' at the place of t in the part, which is known to 3 u of the step: off by kCoplanaritySlope + 3 * 144.
 inline constexpr double kBend = 72;
 inline constexpr double kCoplanaritySlopeNow = 2100;
 
-// The value of S from vectors at one time (3 u more than kInput each, see at_time): as S0 with kInput = 12:
+// The value of S from vectors at one time (3 u more than kInput each, see at_time). As S0 with kInput = 12:
 // N 52, M 2 (2*12 + 52 + 2) + 4 = 160, S 3 (4*12 + 160 + 4) + 20 = 656.
 inline constexpr double kSideValue = 700;
 // Within a time r of there, S changes by at most 12 r times a sum over its four factors, because |S| <= 12 X W E F. The
@@ -119,8 +119,8 @@ inline constexpr double kTurningGap = 96;
 // The same, where the least distance is a part of that at t=0: kGap and kLength, 27 more.
 inline constexpr double kKeptGap = 128;
 
-// A part of D + E + F. Advancement (pair/narrow/first_within.hpp) continues while a pair's clearance exceeds it, and
-// each advance is at least 1/16 of this part of the step (docs/numerics/steps.md, "Step lengths").
+// A part of D + E + F. Advancement (pair/narrow/first_within.hpp) continues while a pair's clearance exceeds it. Each
+// advance is at least 1/16 of this part of the step (docs/numerics/steps.md, "Step lengths").
 inline constexpr double kAdvanceClearance = 0x1p-10;
 
 // The same for every pair within two boxes, times X. X is the largest extent along an axis from the lower end of one

@@ -11,8 +11,8 @@
 
 namespace tamis {
 
-/// Has the operations that the templates of pair/motion/polynomials.hpp need, as Integer does, and tells whether its
-/// sign is known.
+/// Has the operations that the templates of pair/motion/polynomials.hpp need, as Integer does. Tells whether its sign
+/// is known.
 class Estimate {
  public:
   Estimate() = default;

@@ -19,9 +19,10 @@ inline constexpr std::size_t kVerticesPerPart = 1024;
 
 inline bool has_other_threads() { return tbb::this_task_arena::max_concurrency() > 1; }
 
-/// Calls f(begin, end) for parts of 0 to `count`. A loop no longer than `grain` stays with this thread: handing it over
+/// Calls f(begin, end) for parts of 0 to `count`. A loop no longer than `grain` stays with this thread. Handing it over
 /// costs a tenth of a whole question about a mesh of a dozen triangles. Without other threads, parts are sixteen times
-/// as long: short enough that a check for cancellation between them runs often, and so few that the parts cost nothing.
+/// as long. They are short enough that a check for cancellation between them runs often, and so few that they cost
+/// nothing.
 template <class Count, class F>
 void in_parts(Count count, Count grain, const F& f) {
   if (count > grain && has_other_threads())

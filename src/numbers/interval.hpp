@@ -36,7 +36,7 @@ inline T above(const T& x) {
 }
 /// below() for a sum, except that zero stays zero. A sum that is zero is exact in double and in double-double, because
 /// sums are off by a part of themselves. (So is a product with an exact zero.) Moved down, zero would become a denormal
-/// number, and so would products with it: processors take a hundred times as long for these.
+/// number, and so would products with it. Processors take a hundred times as long for these.
 template <class T>
 inline T sum_below(const T& x) {
   return select(x == T(0), x, below(x));

@@ -39,7 +39,8 @@ RoundedTransform rounded(const RigidTransform& exact) {
   return rounded;
 }
 
-/// Rotations differ by no more, as matrices, than their rotation vectors: the error of the vector bounds the matrix'.
+/// Rotations differ by no more, as matrices, than their rotation vectors. So the error of the vector bounds the error
+/// of the matrix.
 RoundedTransform rounded_near(const RigidLink& link, double time) {
   const RoundedPlace turn = rounded_linear(link.start.rotation, link.end.rotation, time);
   const RoundedPlace shift = rounded_linear(link.start.position, link.end.position, time);
@@ -55,8 +56,9 @@ RoundedTransform rounded_link(const RigidLink& link, double time) {
 
 /// The transform that applies `inner`, then `outer`. Errors are norms of matrices and of vectors, so they add up. For
 /// rotations A', B' and their doubles A, B, off by a and b: |A'B' - AB| <= a + b + a b and |A'p' + q' - Ap - q| <= a
-/// |p| + |p' - p| + |q' - q|. Each entry of the product rounds by 3 u |row| |column|, all nine by a little over 9 u; 16
-/// u are given. The entries of the shift round by 4 u (|p|_1 + |q|) each, all by sqrt(3) of that; 8 u are given.
+/// |p| + |p' - p| + |q' - q|. Each entry of the product rounds by 3 u |row| |column|. All nine round by a little over 9
+/// u; 16 u are given. The entries of the shift round by 4 u (|p|_1 + |q|) each. All round by sqrt(3) of that; 8 u are
+/// given.
 RoundedTransform after(const RoundedTransform& outer, const RoundedTransform& inner) {
   RoundedTransform both{};
   for (std::size_t i = 0; i < 3; ++i)

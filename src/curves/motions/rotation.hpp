@@ -39,7 +39,8 @@ inline CosineSinc<FineInterval> small_angle(const FineInterval& square) {
   return result;
 }
 
-/// Any angle: halved until it is small, then doubled again: cos 2x = 2 cos^2 x - 1, sin 2x / 2x = (sin x / x) cos x.
+/// Any angle. It is halved until it is small, then doubled again: cos 2x = 2 cos^2 x - 1, sin 2x / 2x = (sin x / x) cos
+/// x.
 inline CosineSinc<FineInterval> any_angle(FineInterval square) {
   constexpr int kMostHalvings = 500;
   const FineInterval one(1), two(2), quarter(0.25), unknown(DoubleDouble(-1), DoubleDouble(1));

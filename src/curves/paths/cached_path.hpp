@@ -1,5 +1,5 @@
-// A caller's path with a cache of positions. Pairs that are cut at the same times share the cost of these positions,
-// such as the poses of turning bodies.
+// A caller's path with a cache of positions. Pairs that are cut at the same times share the cost of these positions.
+// The poses of turning bodies are an example.
 #pragma once
 #include <vector>
 

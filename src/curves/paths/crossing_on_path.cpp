@@ -38,7 +38,7 @@ TimeInterval<double> window_of(const PairMotion<BasicInterval<T>>& widened, int 
 /// Limits for one pair: parts that are looked at in doubles, and in double-double. Either takes half a second.
 constexpr int kMostParts = 1 << 17, kMostFineParts = 1 << 13;
 /// Cutting sharpens proofs while deviations exceed the errors of positions. Below that it helps only because chords
-/// turn less on shorter parts, which matters for parts longer than this.
+/// turn less on shorter parts. This matters for parts longer than this.
 template <class T>
 constexpr double kShortest = 0x1p-6;
 template <>
@@ -113,8 +113,8 @@ class PathSolver {
     return deviation > 4 * error || part.length() > kShortest<T> || gap_at_start > 64 * (error + deviation);
   }
 
-  /// In double-double: are the features flat on each other at the end of the part, as far as it can tell, and is the
-  /// part a bracket? So lie features that turn in their common plane; shorter parts give no certificate either.
+  /// True if the features are flat on each other at the end of the part, as far as double-double can tell, and the part
+  /// is a bracket. So lie features that turn in their common plane; shorter parts give no certificate either.
   bool is_touch_in_bracket(const PathPart<T>& part) const {
     if (std::is_same_v<T, double> || part.length() > question_.tolerance) return false;
     constexpr std::array<double, 4> kNoDeviations{};

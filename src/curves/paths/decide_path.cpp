@@ -10,8 +10,8 @@
 namespace tamis {
 namespace {
 
-/// The sign of the pair's coplanarity at a moment, by doubles, or where these cannot tell by double-double, which costs
-/// ten times as much. 0: neither can tell.
+/// The sign of the pair's coplanarity at a moment. Doubles compute it. Where they cannot tell double-double does, at
+/// ten times the cost. 0: neither can tell.
 int side_at(PairKind kind, const PairReader& reader, const Moment<double>& moment) {
   return with_kind(kind, [&](auto k) {
     const auto known_side = [&]<class T>(const Moment<T>& at) {

@@ -1,5 +1,5 @@
-// Step lengths on curves. The distance that a pair must keep counts as its separation: the time at which it is reached
-// is found as with any other separation.
+// Step lengths on curves. The distance that a pair must keep counts as its separation. The time when it is reached is
+// found as with any other separation.
 #include "curves/paths/carried_pair.hpp"
 #include "curves/paths/decide_path.hpp"
 #include "curves/paths/path_reader.hpp"

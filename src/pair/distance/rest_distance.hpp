@@ -1,6 +1,6 @@
-// The distance of two features at rest, between proven bounds, in doubles or in lanes: closest points bound it from
-// above, the axis along their gap from below. And the direction from one to the other, where doubles tell it; integers
-// tell the rest. Error bounds: kGap, kAxisNow. Cost: about 200 operations.
+// The distance of two features at rest, between proven bounds, in doubles or in lanes. Closest points bound it from
+// above. The axis along their gap bounds it from below. And the direction from one to the other, where doubles tell it;
+// integers tell the rest. Error bounds: kGap, kAxisNow. Cost: about 200 operations.
 #pragma once
 #include "numbers/assert.hpp"
 #include "numbers/unit_vector.hpp"

@@ -1,7 +1,7 @@
-// Is a pair proven to stay farther apart than a distance during some time? Along an axis that turns at a constant rate
-// from the closest points' gap at the start of that time to the gap at its end, the pair's corners are quadratics in
-// time, whose Bernstein coefficients bound them from below. So one axis proves a pair apart that turns as a whole.
-// Error bound: kTurningGap. Cost: about 350 operations.
+// Tests whether a pair is proven to stay farther apart than a distance during some time. The axis turns at a constant
+// rate from the closest points' gap at the start of that time to the gap at its end. Along it the pair's corners are
+// quadratics in time. Their Bernstein coefficients bound them from below. So one axis proves a pair apart that turns as
+// a whole. Error bound: kTurningGap. Cost: about 350 operations.
 #pragma once
 #include "numbers/assert.hpp"
 #include "pair/distance/nearly_closest.hpp"

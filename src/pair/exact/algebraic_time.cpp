@@ -31,7 +31,7 @@ void AlgebraicTime::halve() {
 
 void AlgebraicTime::refine() {
   const Integer at_lower = polynomial_.scaled_value(cell_), at_upper = polynomial_.scaled_value({cell_.n + 1, cell_.k});
-  // An end of the cell may itself be a root of the polynomial: then the signs at the ends do not differ.
+  // An end of the cell may itself be a root of the polynomial. Then the signs at the ends do not differ.
   if (refinement_ < 2 || at_lower.sign() * at_upper.sign() >= 0) {
     refinement_ = 4;
     return halve();

@@ -50,8 +50,8 @@ std::optional<Polygon<Word>> start_polygon_in_words(PairKind kind, const PairPoi
 template <class Number>
 Polygon<Number> corner_velocities(PairKind kind, const PairPoints& points);
 
-/// As difference_polygon, with each axis times a power of two of its own: shorter numbers, the same times of touching,
-/// but no distances. The exponent means nothing. REQUIRES: as above.
+/// As difference_polygon, with each axis times a power of two of its own. Numbers are shorter and times of touching the
+/// same, but there are no distances. The exponent means nothing. REQUIRES: as above.
 MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points);
 
 /// The polygon at `time` of the step, the lower end of that cell. REQUIRES (not checked: exact): `time` is in [0,1].

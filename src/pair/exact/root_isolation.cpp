@@ -57,7 +57,7 @@ DyadicCell cell_until(double latest) {
 
 }  // namespace
 
-/// Finds the roots from left to right, by a list of cells instead of recursion: exponents make cells thousands of
+/// Finds the roots from left to right, by a list of cells instead of recursion. Exponents make cells thousands of
 /// halvings deep.
 std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p, double latest) {
   TAMIS_ASSERT(!p.is_zero() && 0 <= latest && latest <= 1);

@@ -1,4 +1,4 @@
-// The distance at t=0 compared with a separation, decided exactly: rounding must not stop a step that may go a little.
+// The distance at t=0 compared with a separation, decided exactly. Rounding must not stop a step that may go a little.
 #pragma once
 #include "pair/exact/moving_polygon.hpp"
 

@@ -1,4 +1,5 @@
-// The largest unit that makes coordinates integers, so the integers are short. Also coordinates as words of 61 bits.
+// The largest unit that makes coordinates integers, so the integers are short. Also gives coordinates as words of 61
+// bits.
 #pragma once
 #include <algorithm>
 #include <array>

@@ -38,7 +38,7 @@ constexpr SpanningVectors spanning_vectors(PairKind kind) {
 }
 
 /// Vertex-face and edge-edge meet by passing through each other, when their four vertices are coplanar. The others have
-/// no inside to pass through: they meet at single times, which hardly ever happens, or come near.
+/// no inside to pass through. They meet at single times, which hardly ever happens, or come near.
 constexpr bool can_cross(PairKind kind) { return kind == PairKind::vertex_face || kind == PairKind::edge_edge; }
 
 /// Is contact a matter of the distance? If not, of when the four points are coplanar.

@@ -1,4 +1,4 @@
-// Features this near count as touching: a distance for all pairs, and a radius for each of the two features.
+// Features this near count as touching. The sum of a distance for all pairs and a radius for each of the two features.
 #pragma once
 #include <algorithm>
 #include <array>

@@ -35,7 +35,7 @@ inline T to_step(const TimeInterval<T>& part, const T& s, double direction) {
   return min(max(t + T(direction * 12 * error_bounds::unit_roundoff<T>) * part.t_out, part.t_in), part.t_out);
 }
 
-/// The place in [0,1] where a cubic whose ends have one sign turns. The middle where it does not turn so.
+/// The place in [0,1] where a cubic whose ends have one sign turns. The middle where there is no such place.
 template <class T>
 inline T turning_point(const std::array<T, 4>& k) {
   // K' = c0 s^2 + c1 s t + c2 t^2 with s = 1 - t; a root t/s > 0 where c0 and c2 differ in sign.
@@ -75,7 +75,7 @@ struct CrossingSearch {
     const T t = crossing::to_step(part, s, 0);
     const Vec3<T> n = cross(at_time(step.e, t), at_time(step.f, t));
     // K at t, from the vectors at t; and how far K falls, in spite of all rounding, within the radius. Where the slope
-    // proves no fall, the sign of K at t itself still tells on which side of t the root is.
+    // proves no fall, the sign of K at t itself still tells the side of t on which the root is.
     const T value = dot(at_time(step.d, t), n), turned = select(rises, -value, value);
     const T length = part.t_out - part.t_in, bend = T(error_bounds::kBend) * length * length * unit;
     const T least_fall = fall - error_bounds::bound(error_bounds::kCoplanaritySlopeNow, unit) - radius * bend;
@@ -124,7 +124,7 @@ inline Crossing<T> find_crossing(const PairMotion<T>& step, const TimeInterval<T
   return search.at_root(crossing::find_root(search.cubic));
 }
 
-/// The crossings of two independent pairs: while the root of one is waited for, the other is worked on.
+/// The crossings of two independent pairs. While the root of one is waited for, the other is worked on.
 template <PairKind kind, class T>
 inline std::array<Crossing<T>, 2> find_two_crossings(const PairMotion<T>& step_a, const TimeInterval<T>& part_a,
                                                      const PairMotion<T>& step_b, const TimeInterval<T>& part_b) {
@@ -132,8 +132,8 @@ inline std::array<Crossing<T>, 2> find_two_crossings(const PairMotion<T>& step_a
                           CrossingSearch<kind, T>(step_b, coplanarity_polynomial(step_b), part_b));
 }
 
-/// As find_crossing, where one crossing is not enough: the part is cut where the cubic turns, and the first half that
-/// is not free gives the answer.
+/// As find_crossing, where one crossing is not enough. The part is cut where the cubic turns. The first half that is
+/// not free gives the answer.
 template <PairKind kind, class T>
 inline Crossing<T> find_crossing_in_halves(const PairMotion<T>& step, const TimeInterval<T>& part) {
   const auto whole = coplanarity_polynomial(step);

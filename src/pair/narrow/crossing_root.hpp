@@ -21,7 +21,7 @@ inline T slope(const std::array<T, 4>& k, const T& t) {
 }
 
 /// Newton's iteration kept inside a shrinking bracket, one iterate() at a time. It converges to one of the roots if
-/// k[0] > 0 > k[3]; else goes_on() is false from the start, and root() means nothing.
+/// k[0] > 0 > k[3]. Else goes_on() is false from the start, and root() means nothing.
 template <class T>
 class RootSearch {
  public:

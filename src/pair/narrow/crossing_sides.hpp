@@ -1,5 +1,5 @@
-// The inside test: do the features of a pair meet at the time at which their four points are coplanar? For double,
-// double-double and SIMD lanes.
+// The inside test: tells whether the features of a pair meet at the time when their four points are coplanar. For
+// double, double-double and SIMD lanes.
 #pragma once
 #include "numbers/error_bounds.hpp"
 #include "numbers/select.hpp"

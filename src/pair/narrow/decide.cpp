@@ -27,7 +27,7 @@ std::optional<Decision> decide_finely(const PairInStep& pair, const Decision& d)
   return first_within_finely(pair, {d.lower, d.upper});
 }
 
-/// True if axes between the features prove that they stay apart during `time`. For pairs whose cubic has no certain
+/// True if axes between the features prove that they stay apart during `time`. Serves pairs whose cubic has no certain
 /// sign at t=0, such as edges that slide beside each other in one plane. Costs a tenth of integers. REQUIRES (not
 /// checked: exact): apart outside `time`.
 bool stays_apart(const PairInStep& pair, const TimeInterval<double>& time) {
@@ -38,7 +38,7 @@ bool stays_apart(const PairInStep& pair, const TimeInterval<double>& time) {
 
 /// The decision in doubles. Nothing where the pair may touch at the start, which double-double does not decide either.
 /// With a separation the whole step comes first, so a pair has the same bits as in lanes. Without one, beginnings come
-/// first: the whole step of a pair that goes far would be cut into many parts.
+/// first. The whole step of a pair that goes far would be cut into many parts.
 std::optional<Decision> decide_by_doubles(const PairInStep& pair, const TimeInterval<double>& clip) {
   const PairMotion<double>& m = pair.motion;
   if (is_about_distance(pair.kind, m.separation)) {

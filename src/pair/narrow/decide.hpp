@@ -11,7 +11,7 @@ namespace tamis {
 /// Which contacts matter, times in [0,1].
 struct OfInterest {
   double latest = 1;  ///< as in PairOptions
-  /// If doubles cannot tell when a pair touches, it counts as free if it is free until then.
+  /// If doubles cannot tell when a pair touches, it counts as free if it is free until this time.
   double needed_until = 1;
 };
 

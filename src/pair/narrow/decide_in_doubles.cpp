@@ -1,5 +1,5 @@
-// Decides one pair during a time in doubles: by the slab clip, and in the times that it leaves by subdivision, or with
-// a separation by advancement.
+// Decides one pair during a time in doubles. The slab clip comes first. In the times that it leaves, subdivision
+// decides, or with a separation advancement.
 #include <algorithm>
 #include <vector>
 
@@ -18,7 +18,7 @@ namespace {
 // Limits of the work for one pair.
 /// The shortest part that is cut further, and the widest bracket of a crossing that is not: fractions of the step.
 constexpr double kShortestPart = 0x1p-44, kNarrowBracket = 0x1p-30;
-/// The most parts that are looked at, and of these the most coplanar throughout: cutting such parts helps only NCF.
+/// The most parts that are tested, and of these the most coplanar throughout. Cutting such parts helps only NCF.
 constexpr int kMostPartsOfStep = 96, kMostCoplanarParts = 2;
 constexpr std::size_t kMostWaiting = 64;
 

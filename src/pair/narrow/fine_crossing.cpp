@@ -1,6 +1,6 @@
 // Decides in double-double a crossing that doubles leave undecided. Either the pair is known to touch, and the time is
-// sought. Or the pair passes close to a border of its features, and may touch. The answer is that of exact algebra, in
-// a fraction of its time.
+// sought. Or the pair passes close to a border of its features, and may touch. Exact algebra would give the same
+// answer, at many times the cost.
 #include <algorithm>
 #include <cmath>
 

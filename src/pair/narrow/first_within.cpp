@@ -85,7 +85,7 @@ class Advance {
 };
 
 /// A time until which the pair is proven apart from `now` on. No later than `now` if nothing is proven. Rounding tilts
-/// the axis of a gap that is tiny beside its features, differently at each time: so times a little later are tried.
+/// the axis of a gap that is tiny beside its features, differently at each time. So times a little later are tried.
 template <PairKind kind>
 double apart_from(const SeparationProbe<kind, double>& probe, double separation, double now) {
   constexpr double kClearlyApart = 1 + 0x1p-10;

@@ -44,7 +44,7 @@ class Recontact {
   bool is_apart(const Probed& at) const { return probe_.prove_apart(at.time, at.distance).until > at.time; }
 
   /// An upper bound of the distance at `time`, from two points of the features with fixed weights. The vector between
-  /// these is linear in time, so between two times it is no longer than at one of them.
+  /// these is linear in time. So between two times it is no longer than at one of them.
   double distance_at_most(double time, const ClosestPoints& points) const {
     const Vec3<double> gap =
         gap_at<kind>(at_time(m_.e, time), at_time(m_.f, time), at_time(m_.d, time), points.u, points.v);
@@ -104,8 +104,8 @@ class Recontact {
            });
   }
 
-  /// Facts, during a time, about the direction between the closest points and about the nearest point: the point of the
-  /// Minkowski difference nearest to zero.
+  /// Facts that hold during a time, about the direction between the closest points and about the nearest point. The
+  /// nearest point is the point of the Minkowski difference nearest to zero.
   struct Growth {
     Vec3<double> n, turn;   ///< a direction with the largest component 1, and the rate at which it should turn
     double tilt = 0;        ///< the unit direction between closest points, times |n|, differs from n by no more

@@ -32,7 +32,7 @@ class Body {
   Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion);
   /// A copy without the detector.
   Body(const Body& other);
-  /// A copy for questions about other bodies, without the first links of its chain: it moves as the frame of these
+  /// A copy for questions about other bodies, without the first links of its chain. It moves as the frame of these
   /// links sees it. It counts as turning even if no other link turns. REQUIRES: it turns, and has so many links.
   Body(const Body& other, std::size_t links);
   Body(Body&&) noexcept = default;

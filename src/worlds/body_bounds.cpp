@@ -93,7 +93,7 @@ ItemBounds BodyOnPiece::items(Index leaf) const {
   return result;
 }
 
-/// Restricts bounds to the piece. Vertices of a body that does not turn move straight during the whole step, so its
+/// Restricts bounds to the piece. Vertices of a body that does not turn move straight during the whole step. So its
 /// bounds at both ends are interpolated. The bounds of a body that turns are of the piece already.
 MovingBounds BodyOnPiece::cut(const Box& at_start, const Box& at_end) const {
   const Box start = unbounded_if_unknown(at_start), end = unbounded_if_unknown(at_end);

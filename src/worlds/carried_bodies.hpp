@@ -1,5 +1,5 @@
 // Bodies that turn together: pairs of bodies whose chains share outer links. Each pair is queried in the frame of the
-// last shared link, where only the links behind it move (docs/numerics/curves.md, "Bodies that turn together").
+// last shared link. In this frame only the links behind it move (docs/numerics/curves.md, "Bodies that turn together").
 #pragma once
 #include <vector>
 

@@ -1,4 +1,4 @@
-// Gathering: finds the bodies that are near enough, gathers their items as one mesh, and tells how long this mesh
+// Gathering: finds the bodies that are near enough, and gathers their items as one mesh. Tells how long this mesh
 // serves later questions.
 #pragma once
 #include <map>

@@ -147,7 +147,7 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs, 
   std::map<BodyId, BoundsOnPiece> of_still, of_moving;
   std::vector<char> is_near;
   for (const BodyPair& pair : pairs) is_near.push_back(static_cast<char>(std::ranges::binary_search(near.pairs, pair)));
-  // On so many pieces together curves deviate by a fourth of an edge at most, which gathers few items more.
+  // On so many pieces together curves deviate by a fourth of an edge at most. This gathers only a few items more.
   constexpr std::size_t kPiecesTogether = 4;
   for (std::size_t first = 0, last = 0; first + 1 < times.size(); first = last) {
     last = std::min(first + kPiecesTogether, times.size() - 1);

@@ -144,8 +144,8 @@ bool World::is_free(const PathOptions& asked) {
   return is_free;
 }
 
-/// A pair of clearance c that keeps no more than f c has lost (1 - f) c, at most the displacements w of both bodies:
-/// then it has come within f w / (1 - f) of its separation.
+/// A pair of clearance c that keeps no more than f c has lost (1 - f) c, at most the displacements w of both bodies.
+/// Then it has come within f w / (1 - f) of its separation.
 BodyStep World::safe_step(double fraction, const PathOptions& asked) {
   const State::QuestionTurn now(*this);
   validate_kept(fraction);

@@ -1,5 +1,5 @@
-// The state that a world keeps from question to question, and the functions that answer questions: they find near
-// bodies, gather the items of these that may touch (worlds/gathering.hpp), and ask detectors.
+// The state that a world keeps from question to question, and the functions that answer questions. They find near
+// bodies, gather the items of these that may touch (worlds/gathering.hpp), and query detectors.
 #pragma once
 #include <optional>
 #include <set>
@@ -24,7 +24,7 @@ struct World::State {
   void move(BodyId id, BodyMotion motion);
   void move(std::span<const BodyId> ids, std::vector<BodyMotion> motions);
   void set_may_touch(std::span<const BodyPair> pairs, bool may_touch);
-  /// To be called when a body is removed, or when anything of it but its motion has changed: drops the gathered meshes.
+  /// Drops the gathered meshes. Called when a body is removed, or when anything of it but its motion has changed.
   void forget_gathered(const Body& changed);
   /// To be called when a body is added or given another motion. Gathered meshes notice both by themselves.
   void forget_if_still(const Body& changed) {
@@ -63,8 +63,8 @@ struct World::State {
   /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
   static std::vector<double> times_of_pieces(const BodyList& seen, const std::vector<BodyPair>& pairs,
                                              const NearDistance& distance);
-  /// Asks about pairs of which one body turns, in the world or in a frame (`seen`, as for gather()). Returns false if
-  /// no more is to be asked.
+  /// Queries pairs with a body that turns, in the world or in a frame (`seen`, as for gather()). Returns false if no
+  /// more queries are needed.
   template <class Ask>
   bool ask_turning(Gathering& gathering, const BodyList& seen, const RigidChain& carrier,
                    const std::vector<BodyPair>& pairs, const NearDistance& distance, const PathOptions& asked,

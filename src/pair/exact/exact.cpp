@@ -61,7 +61,7 @@ class MovingPolygonTest {
         coplanarity_(IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon.corner(0), normal_))) {}
 
   /// Adds the times of touching at which a span of touching may begin or end. At these times the origin comes into the
-  /// polygon's plane or out of it. If it is always in that plane, it passes through a side.
+  /// polygon's plane or out of it. If it is always in that plane, it passes through a side at these times.
   void add_times(TouchingTimes& times) const {
     if (!coplanarity_.is_zero())
       return times.add_roots(coplanarity_, [&](AlgebraicTime& time) { return contains_origin(time); });

@@ -13,7 +13,7 @@ namespace {
 /// The roundings listed at BoxFrame::margin sum to 2^-24 + 2^-53.
 constexpr float kRounding = 0x1p-23f;
 
-/// The frame moves with its vertices where that makes it this many times narrower, which gains three bits of every
+/// The frame moves with its vertices where that makes it this many times narrower. This gains three bits of every
 /// coordinate. (A smaller gain is not worth it.)
 constexpr double kMuchNarrower = 8;
 

@@ -61,8 +61,9 @@ Columns inverse(const SymmetricMatrix& m) {
 
 }  // namespace
 
-/// |(I + t G) x|^2 is quadratic in t: in each part of the time at least its least Bernstein coefficient; and convex, so
-/// largest at an end. The last part comes first: mostly it has the least, and one test shows that the others exceed it.
+/// |(I + t G) x|^2 is quadratic in t. In each part of the time it is at least its least Bernstein coefficient. It is
+/// convex, so largest at an end. The last part comes first. Mostly it has the least, and one test shows that the others
+/// exceed it.
 StretchBounds stretch_bounds(const DisplacementGradient& gradient) {
   constexpr int kParts = 4;
   double least = 1;

@@ -1,4 +1,4 @@
-// The vertices of a step as the kernels read them: one cache line each in doubles for the solver, and floats in a
+// The vertices of a step as the kernels read them. Each has one cache line of doubles for the solver, and floats in a
 // common frame for the boxes.
 #pragma once
 #include <algorithm>

@@ -16,7 +16,7 @@ struct Candidate {
   TimeInterval<float> time;      ///< when the pair may touch
 };
 
-/// Grows in parts that never move: adding a pair, or taking a list, copies no pairs that are there already.
+/// Grows in parts that never move. Adding a pair, or taking a list, copies no pairs that are there already.
 class PairList {
  public:
   bool empty() const;

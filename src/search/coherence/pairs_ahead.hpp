@@ -10,8 +10,8 @@
 
 namespace tamis {
 
-/// Memory is bounded: by the most pairs that CandidateSearch lists, 24 bytes each, with room to grow to twice that; and
-/// by positions.
+/// Memory is bounded: by the most pairs that CandidateSearch lists, 24 bytes each, with room to grow to twice that.
+/// Positions come on top.
 class PairsAhead final : public KeptLists {
  public:
   /// Keeps a reference.
@@ -19,7 +19,8 @@ class PairsAhead final : public KeptLists {
 
   /// Begins a query. Returns true if it follows the prediction, so its listed pairs are to be decided first.
   bool begin(const Query& query);
-  /// After the listed pairs have been decided: may another pair still touch, so the trees must be searched?
+  /// Call it after the listed pairs have been decided. True if another pair may still touch, so the trees must be
+  /// searched.
   bool leaves_undecided(const ContactCollector& answer) const;
   /// Lists are worth making if the query continues the last one: the pairs of the step that is predicted then.
   std::optional<Listing> plan(const Query& query) override;

@@ -1,4 +1,4 @@
-// One thread's stream of pairs: it searches leaf blocks, or a list, into a small buffer, and consumes each full buffer.
+// One thread's stream of pairs. It searches leaf blocks, or a list, into a small buffer, and consumes each full buffer.
 // A derived class for each question says how (*_consumer, *_search).
 #pragma once
 #include "search/coherence/pair_lists.hpp"

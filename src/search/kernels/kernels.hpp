@@ -1,5 +1,5 @@
-// The hot loops, compiled once per instruction set and chosen at run time. Plain pointers only: a kernel object must
-// not emit code of shared templates, which the linker could then pick for a machine without that instruction set.
+// The hot loops, compiled once per instruction set and chosen at run time. Plain pointers only. A kernel object must
+// not emit code of shared templates: the linker could pick it for a machine without that instruction set.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -40,7 +40,7 @@ struct LaneDecisions {
   int touching_count = 0, undecided_count = 0;
 };
 
-/// Room for the decisions on so many pairs.
+/// Room for the decisions on this many pairs.
 template <int pairs>
 struct DecisionRoom {
   LaneDecisions lists() { return {touching, undecided}; }

@@ -1,4 +1,4 @@
-// Makes answers of decided pairs: it collects all contacts, those that may be the first (of all, or of each pair of
+// Makes answers of decided pairs. It collects all contacts, those that may be the first (of all, or of each pair of
 // bodies), or one.
 #pragma once
 #include <vector>
@@ -28,9 +28,9 @@ class ContactCollector {
   /// Begins a query; the memory stays. Keeps references to query and bound, which all threads share. REQUIRES: a bound
   /// that has begun.
   void begin(const Query& query, Bound& bound);
-  /// Takes a decided pair if it touches, can change the answer, and its features are no neighbours. Returns whether it
-  /// did. `by_integers`: no cheaper arithmetic could decide the pair. REQUIRES: a kind there is, times in [0,1] and in
-  /// order.
+  /// Takes a decided pair if it touches, if it can change the answer, and if its features are not neighbours. Returns
+  /// whether it did. `by_integers`: no cheaper arithmetic could decide the pair. REQUIRES: a kind there is, times in
+  /// [0,1] and in order.
   bool add(PairKind kind, const PairVertices& vertices, const PairResult& result, bool by_integers = false);
   /// True if this pair, which is apart before the time `from`, can still change the answer. Cheap: call it before
   /// deciding a pair. A pair that touches at t=0 makes all later pairs in the order of contacts irrelevant. Any contact

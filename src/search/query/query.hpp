@@ -34,7 +34,7 @@ struct Query {
   bool accepts_intersections = false;
   /// The frame of the whole scene, if the mesh is a part of it; null: the frame of the mesh.
   const BoxFrame* frame = nullptr;
-  /// The step is a piece of a path: the next one has other radii, so nothing is listed ahead.
+  /// The step is a piece of a path. The next one has other radii, so nothing is listed ahead.
   bool is_piece = false;
   /// With `earliest` the answers are the first contacts of these pairs of bodies; null: the first one of the mesh.
   /// Other pairs of bodies are skipped.

@@ -15,7 +15,7 @@ struct Components {
   Index count = 0;
 };
 
-/// Finds the connected components. Faces and edges connect their vertices; a loose point is a component of its own.
+/// Finds the connected components. Faces and edges connect their vertices. A loose point is a component of its own.
 /// Time: nearly linear (union-find: Tarjan 1975).
 /// Returns the component of each vertex.
 [[nodiscard]] Components components_of(const Mesh& mesh);

@@ -12,7 +12,7 @@
 namespace tamis {
 
 /// Vertex-face (VF) and edge-edge (EE) pairs cover every first contact of two triangle meshes. Points and edges of no
-/// face have other contacts: vertex-edge (VE) and vertex-vertex (VV) pairs cover them.
+/// face have other contacts. Vertex-edge (VE) and vertex-vertex (VV) pairs cover them.
 enum class PairKind : std::uint8_t { vertex_face, edge_edge, vertex_edge, vertex_vertex };
 /// The number of kinds; PairKind indexes a table that has one row a kind.
 inline constexpr std::size_t kPairKinds = 4;
@@ -34,7 +34,7 @@ struct Contact {
   /// edge first. ve: the vertex, then the edge's vertices, ascending. vv: ascending. Entries that a kind does not use
   /// are -1.
   std::array<Index, 4> vertices;
-  /// Fractions of the step, in [0,1]. The pair is apart on [0, toi_lower); a certified contact touches at some time of
+  /// Fractions of the step, in [0,1]. The pair is apart on [0, toi_lower). A certified contact touches at some time of
   /// [toi_lower, toi_upper].
   double toi_lower;
   double toi_upper;
@@ -62,10 +62,10 @@ struct Contact {
 /// vertices in another order is not found.
 [[nodiscard]] std::array<Index, 2> features_of(const Mesh& mesh, PairKind kind, const std::array<Index, 4>& vertices);
 
-/// Returns a signed weight for each of a pair's vertices; the four add up to 0. The first feature's vertices, weighted
+/// Returns a signed weight for each of a pair's vertices. The four add up to 0. The first feature's vertices, weighted
 /// and summed, give its point. The second feature's give its point, negative. So the sum over all is the vector from
-/// the second point to the first. vf: 1, u+v-1, -u, -v; ee: 1-u, u, v-1, -v; ve: 1, u-1, -u, 0; vv: 1, -1, 0, 0. `u`
-/// and `v`: as in a Contact, a NearPair or a PairResult.
+/// the second point to the first. For vf: 1, u+v-1, -u, -v; ee: 1-u, u, v-1, -v; ve: 1, u-1, -u, 0; vv: 1, -1, 0, 0.
+/// `u` and `v`: as in a Contact, a NearPair or a PairResult.
 /// Throws Error if there is no such kind.
 [[nodiscard]] std::array<double, 4> weights_of(PairKind kind, double u, double v);
 
@@ -74,8 +74,8 @@ struct EarliestContact {
   /// The motion is free on [0, toi_lower): proven. Where very many pairs touch at one time, it may lie up to 2^-37 of
   /// itself before the contact's own toi_lower. 1, and no contact, if the whole step is free. 0 only if a pair touches
   /// at t=0 (and is not ignored), or sooner than at any positive double (toi_upper > 0). This is a time, not a
-  /// position: start + toi_lower (end - start), rounded to doubles, may touch. Detector::truncate returns positions to
-  /// go to.
+  /// position. The position start + toi_lower (end - start), rounded to doubles, may touch. Detector::truncate returns
+  /// positions to go to.
   double toi_lower = 1;
   /// A certified contact happens at or before this time. 1 if no contact is certified. On a path all contacts may be
   /// unresolved.

@@ -102,7 +102,7 @@ class Detector {
   /// Finds positions to go to, as doubles. Every pair keeps `keep` of its distance, and one near pair does not stop the
   /// whole mesh. All vertices go together as long as every pair keeps a little more than `keep`. From there each vertex
   /// moves by itself. It stays on its own side of planes between the features that it could reach. It moves by at most
-  /// a quarter of the mean edge, which bounds the number of such pairs. (If the finest part of the mesh has edges less
+  /// a quarter of the mean edge. This bounds the number of such pairs. (If the finest part of the mesh has edges less
   /// than a fourth as long, the mean edge of the vertex' own body counts.)
   ///
   /// A pair that starts within the minimum separation may move as long as it comes no nearer (at a distance of 0 not at

@@ -75,7 +75,7 @@ struct Options {
   Isa isa = Isa::best;
   PairFilter filter = PairFilter();
   /// Called again and again during a question, a thousand times a second or more. Must be safe to call from several
-  /// threads. Once it returns true, the question throws Cancelled; the detector answers the next question as usual.
+  /// threads. Once it returns true, the question throws Cancelled. The detector answers the next question as usual.
   std::function<bool()> is_cancelled = nullptr;
 };
 

@@ -60,8 +60,8 @@ struct FeaturePair {
 };
 
 /// Decides a list of pairs: the narrow phase. Writes the answer about pairs[i] to `results[i]`. The answer has the bits
-/// of the function for one pair, and takes a small part of its time. The positions may have any number of rows, the
-/// same at both ends. Only rows that pairs name are read.
+/// of the function for one pair. It takes a small part of the time. The positions may have any number of rows, the same
+/// at both ends. Only rows that pairs name are read.
 /// Throws InvalidStep, naming the first such pair, if a kind does not exist, an index is not a row, or a coordinate is
 /// not finite. Throws it also unless there are as many results as pairs. Throws InvalidOptions on an option outside its
 /// range.

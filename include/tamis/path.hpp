@@ -1,4 +1,5 @@
-// Curved motion: where every vertex is at each time of a step, and how far it deviates from straight pieces.
+// Curved motion. A path tells where every vertex is at each time of a step, and how far it deviates from straight
+// pieces.
 #pragma once
 #include <array>
 #include <functional>
@@ -37,14 +38,15 @@ class Path {
   /// points_at.
   virtual void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const;
 
-  /// Writes for each vertex a bound, >= 0, of its deviation: its Euclidean distance, at any time t of [from, to], from
-  /// ((to - t) x(from) + (t - from) x(to)) / (to - from), which goes along the chord at constant speed. The bound must
-  /// go to zero as the piece gets shorter, for smooth curves with the square of its length: |x''| (to - from)^2 / 8.
+  /// Writes for each vertex a bound, >= 0, of its deviation. The deviation is its Euclidean distance, at any time t of
+  /// [from, to], from ((to - t) x(from) + (t - from) x(to)) / (to - from). The latter goes along the chord at constant
+  /// speed. The bound must go to zero as the piece gets shorter, for smooth curves with the square of its length: |x''|
+  /// (to - from)^2 / 8.
   virtual void deviations(double from, double to, std::span<const Index> vertices,
                           std::span<double> deviations) const = 0;
 
   /// Writes for each vertex a direction d, of any length, along which it moves at constant speed although its curve
-  /// bends: d.x(t) is linear in t, exactly, for d as stored. So deviations are orthogonal to d. Zeros where none is
+  /// bends. So d.x(t) is linear in t, exactly, for d as stored. So deviations are orthogonal to d. Zeros where none is
   /// known; by default all are zeros. A body that turns about a fixed axis has such a direction, its axis. Bodies that
   /// slide past each other on planes orthogonal to d are proven apart by it.
   virtual void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const;

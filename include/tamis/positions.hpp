@@ -88,7 +88,7 @@ class Positions {
   template <PointRange R>
   Positions(const R& points)
       : Positions(reinterpret_cast<const double*>(std::span(points).data()), index_count(std::span(points).size())) {}
-  /// Unless the matrix has three columns next to each other, the view has no data, and every question refuses it.
+  /// Unless the matrix has three columns next to each other, the view has no data. Then every question refuses it.
   template <RowMajorMatrix M>
   Positions(const M& matrix)
       : Positions(matrix.cols() == 3 && matrix.innerStride() == 1 ? matrix.data() : nullptr,

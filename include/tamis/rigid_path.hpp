@@ -43,7 +43,7 @@ using RigidChain = std::vector<RigidLink>;
 [[nodiscard]] RigidChain turned_chain(const Pose& start, const Point& turn, const Point& end_position,
                                       const Point& center = {0, 0, 0});
 /// Makes a chain from one pose to the other by the shorter turn about a fixed axis, at constant speed (slerp).
-/// Meanwhile `center` goes straight. The turn is computed in doubles: the end is reached within some 1e-15 of the
+/// Meanwhile `center` goes straight. The turn is computed in doubles. So the end is reached within some 1e-15 of the
 /// body's size.
 /// Returns a chain of two links.
 [[nodiscard]] RigidChain chain_between(const Pose& start, const Pose& end, const Point& center = {0, 0, 0});

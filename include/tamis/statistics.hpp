@@ -57,8 +57,9 @@ struct PrecisionCount {
 struct Statistics {
   Isa isa = Isa::baseline;  ///< the one that ran, never `best`
   int threads = 1;
-  /// In pipeline order. The first stage counts the pairs of features whose boxes meet, and some more, which depend on
-  /// earlier questions. If pairs were listed ahead, it counts the pairs of that list that the question decides.
+  /// In pipeline order. The first stage counts the pairs of features whose boxes meet. It counts some more pairs, which
+  /// depend on earlier questions. If pairs were listed ahead, it counts the pairs of that list that the question
+  /// decides.
   std::vector<StageCount> stages;
   PrecisionCount decided_by;
   Seconds seconds;

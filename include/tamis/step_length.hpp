@@ -11,9 +11,9 @@ namespace tamis {
 /// Answer to "how far may the step go while every pair keeps a fraction of its distance?". The distance that counts
 /// is what exceeds the minimum separation and both radii.
 struct SafeStep {
-  /// On [0, toi_lower] every pair keeps at least the fraction, and on [0, toi_lower) none touches: proven. 1 if the
-  /// whole step may go. 0 only if a pair touches (is within the minimum separation) at t=0 and is not ignored, or loses
-  /// its part sooner than at any positive double (toi_upper > 0).
+  /// On [0, toi_lower] every pair keeps at least the fraction, and on [0, toi_lower) none touches: proven. It is 1 if
+  /// the whole step may go. It is 0 only if a pair touches (is within the minimum separation) at t=0 and is not
+  /// ignored, or loses its part sooner than at any positive double (toi_upper > 0).
   double toi_lower = 1;
   /// At this time some pair has no more than the fraction left: proven. 1 if that is not known of any time.
   double toi_upper = 1;

@@ -66,9 +66,9 @@ using BodyMotion = std::variant<Static, Rigid, Deforming>;
 /// The number of a body in its world: 0, 1, 2, ... in the order of World::add. Never given twice.
 using BodyId = Index;
 
-/// A contact of two bodies. Its vertices are numbered in the bodies' own meshes: first the vertices of the feature of
-/// `bodies[0]`, then of the feature of `bodies[1]`. The features are in the order of Contact. Of two edges the edge of
-/// the body with the smaller number is first.
+/// A contact of two bodies. Its vertices are numbered in the bodies' own meshes. They are first the vertices of the
+/// feature of `bodies[0]`, then of the feature of `bodies[1]`. The features are in the order of Contact. Of two edges
+/// the edge of the body with the smaller number is first.
 struct BodyContact : Contact {
   std::array<BodyId, 2> bodies;
 };
@@ -127,7 +127,7 @@ class World {
   /// it.
   void move(BodyId body, BodyMotion motion);
   /// Gives each of some bodies its motion, all or none.
-  /// Throws as `move`, and InvalidOptions if a body is named twice, or if there are not as many motions.
+  /// Throws as `move`. Throws InvalidOptions if a body is named twice, or if there are not as many motions.
   void move_many(std::span<const BodyId> bodies, std::vector<BodyMotion> motions);
   /// Returns the body's last motion; valid until the next change of the world.
   /// Throws InvalidOptions as `move`.
@@ -149,7 +149,7 @@ class World {
   /// Throws InvalidOptions if it is negative or not finite. A question throws InvalidOptions if the sum is more than
   /// any double.
   void set_radius(BodyId body, double radius);
-  /// Sets whether two bodies, or a deforming body with itself (a == b), may touch. At first all may, but a body that
+  /// Sets whether two bodies, or a deforming body with itself (a == b), may touch. At first all may. Only a body that
   /// does not deform may not touch itself.
   /// Throws InvalidOptions to allow the latter.
   void set_may_touch(BodyId a, BodyId b, bool may_touch);

@@ -39,7 +39,7 @@ struct Detector::State {
     find(motion, asked, Question::earliest, &each_of);
     return found.contacts();
   }
-  /// AtStart::fail needs the earliest contact: any other does not tell whether a pair touches at the start.
+  /// AtStart::fail needs the earliest contact. Any other does not tell whether a pair touches at the start.
   bool is_free(const auto& motion, const auto& asked) {
     if (asked.at_start == AtStart::fail) return !earliest(motion, asked).contact;
     find(motion, asked, Question::is_free);

@@ -12,7 +12,7 @@
 namespace tamis {
 
 /// The fractions of its distance that a pair keeps when a step is truncated: `keep` in the end, and `together`, a
-/// little more, while all vertices go together. Vertices that go on alone use the difference.
+/// little more, while all vertices go together. Vertices that continue alone use the difference.
 struct KeptFractions {
   /// REQUIRES: 0 < kept < 1.
   explicit KeptFractions(double kept) : keep(kept), together(std::min(1.25 * kept, kept + 0.25 * (1 - kept))) {

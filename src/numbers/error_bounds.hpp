@@ -10,7 +10,7 @@
 
 namespace tamis::error_bounds {
 
-/// u of a number type: a sum or a product is off by at most u of itself. Each type specializes it beside its
+/// The u of a number type. A sum or a product is off by at most u of itself. Each type specializes it beside its
 /// operations. A type without its own u must not compile: it would pass for double.
 template <class T>
 inline constexpr double unit_roundoff = [] {
@@ -21,8 +21,8 @@ template <>
 inline constexpr double unit_roundoff<double> = 0x1p-53;
 inline constexpr double kRoundoff = unit_roundoff<double>;
 
-/// Added to every bound: products that underflow are wrong by at most 2^-1075 each, after fewer than 2^10
-/// operations on numbers below 2^7.
+/// Added to every bound. Products that underflow are wrong by at most 2^-1075 each, after fewer than 2^10 operations on
+/// numbers below 2^7.
 template <class T>
 inline constexpr double underflow = 0x1p-1000;
 
@@ -39,7 +39,7 @@ inline constexpr double kInput = 8;
 // Coplanarity K = d.(e x f), unit D E F. N0, N2: 4 kInput + 4 = 36, |N0| <= 2; N1: 76, |N1| <= 4. K0, K3: 3 (2 kInput +
 // 36 + 2) + 10 = 172. K1, K2: 3 (4 kInput + 76 + 4) + 20 + 172 + 18 = 546. The cubic of the whole step, restricted to
 // the part, is off by less. With kInput = 1, N is off by 8 and 20, K0 and K3 by 46, K1 and K2 by 168, as are 3 K0 and 3
-// K3. These four are at most 18, so each of three mixtures adds 3 * 18. That makes 330; a third is 110, and 122 with
+// K3. These four are at most 18. So each of three mixtures adds 3 * 18. That makes 330; a third is 110, and 122 with
 // its rounding.
 inline constexpr double kCoplanarityEnd = 180;
 inline constexpr double kCoplanarityMiddle = 560;
@@ -62,7 +62,7 @@ inline constexpr double kCoplanarityNow = 104;
 inline constexpr double kCoplanaritySlope = 1600;
 
 // From a value of K at time t to a value at t + r, in the unit of time of a part of the step. K'' = 2 (d'.(e' x f) +
-// d'.(e x f') + d.(e' x f')) is at most 2 * 3 * 6 * 2 * 2 = 144 DEF, so K changes by K' r and by at most kBend r^2 DEF.
+// d'.(e x f') + d.(e' x f')) is at most 2 * 3 * 6 * 2 * 2 = 144 DEF. So K changes by K' r and by at most kBend r^2 DEF.
 // K' at the place of t in the part, which is known to 3 u of the step: off by kCoplanaritySlope + 3 * 144.
 inline constexpr double kBend = 72;
 inline constexpr double kCoplanaritySlopeNow = 2100;

@@ -43,7 +43,7 @@ class Estimate {
   bool is_sharp(double size) const { return error_ <= 0x1p-48 * size && std::isfinite(size); }
   bool is_sharp() const { return is_sharp(std::fabs(value_)); }
 
-  // Forced inline: a pair takes hundreds, and a call would pass the 32 bytes of each through memory.
+  // Forced inline. A pair takes hundreds, and a call would pass the 32 bytes of each through memory.
   [[gnu::always_inline]] friend Estimate operator-(const Estimate& a) { return {-a.value_, a.error_, 0 - a.rest_}; }
   [[gnu::always_inline]] friend Estimate operator+(const Estimate& a, const Estimate& b) {
     const DoubleDouble sum = DoubleDouble::sum_of(a.value_, b.value_);

@@ -81,7 +81,7 @@ class ComputingState {
   ComputingState& operator=(const ComputingState&) = delete;
 
  private:
-  /// A thread that computes, but in another state, waits: meanwhile oneTBB has given it a task of the caller's.
+  /// A thread that computes, but in another state, waits. Meanwhile oneTBB has given it a task of the caller's.
   explicit ComputingState(const FloatingPointState& now)
       : ComputingState(now, computes_for.is_computing && now == kToNearest ? computes_for.caller : now) {}
   ComputingState(const FloatingPointState& now, const FloatingPointState& caller) : before_(now), outer_(computes_for) {

@@ -14,7 +14,7 @@
 
 namespace tamis {
 
-/// Vertices in a part of a loop that does little with each of them: a part takes ten to twenty microseconds.
+/// Vertices in a part of a loop that does little with each of them. A part takes ten to twenty microseconds.
 inline constexpr std::size_t kVerticesPerPart = 1024;
 
 inline bool has_other_threads() { return tbb::this_task_arena::max_concurrency() > 1; }
@@ -86,7 +86,7 @@ auto pausing(const Order& comes_before, const Pause& pause) {
   };
 }
 
-/// Sorts by a total order: only equal items are neither before nor after each other. REQUIRES (not checked: O(n)): an
+/// Sorts by a total order. Only equal items are neither before nor after each other. REQUIRES (not checked: O(n)): an
 /// order of integers, for which the state of floating-point numbers does not matter. `pause`: as in pausing(). Without
 /// other threads, std::sort is faster than oneTBB's sort.
 template <class Items, class Order, class Pause>

@@ -1,4 +1,4 @@
-// Polynomials in t of degree <= 6 with integer coefficients: all that the exact decision computes with.
+// Polynomials in t of degree <= 6 with integer coefficients. The exact decision computes with nothing else.
 #pragma once
 #include <array>
 #include <cstddef>

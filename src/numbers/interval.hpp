@@ -1,4 +1,4 @@
-// Interval arithmetic with outward rounding, without changing the rounding mode. On double and double-double; other
+// Interval arithmetic with outward rounding, without changing the rounding mode. On double and double-double. Other
 // number types that wrap double, such as one that counts operations, run the same lines.
 #pragma once
 #include <algorithm>
@@ -48,7 +48,7 @@ inline T sum_above(const T& x) {
 
 }  // namespace rounding
 
-/// A closed interval that contains the true value. After overflow a bound may be NaN: then every certain comparison is
+/// A closed interval that contains the true value. After overflow a bound may be NaN. Then every certain comparison is
 /// false, so nothing is proven.
 template <class T>
 struct BasicInterval {

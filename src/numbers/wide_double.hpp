@@ -19,7 +19,7 @@ inline double times_power_of_two(double x, long exponent) {
   return x * std::bit_cast<double>(biased << kMantissaBits);
 }
 
-/// mantissa 2^exponent; operations on positive numbers are off by at most 2^-51 of the result.
+/// mantissa 2^exponent. Operations on positive numbers are off by at most 2^-51 of the result.
 struct WideDouble {
   double mantissa = 0;
   long exponent = 0;

@@ -40,7 +40,7 @@ class Body {
   /// The body with another motion, of the same kind or another, and without the detector. Throws InvalidStep, naming
   /// the body.
   Body moved(BodyMotion motion) const;
-  /// Becomes the result of moved(). A body that deforms before and after keeps its detector. It cannot fail, so a
+  /// Becomes the result of moved(). A body that deforms before and after keeps its detector. It cannot fail. So a
   /// change of bodies happens as a whole or not at all.
   void become(Body moved) noexcept;
   /// Throws InvalidStep, naming the body.

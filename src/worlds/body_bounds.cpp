@@ -16,7 +16,7 @@ Box widened(Box box) {
   return box;
 }
 
-/// Makes a box unbounded along axes with NaN, which appears where the bend of curves overflows.
+/// Makes a box unbounded along axes with NaN. NaN appears where the bend of curves overflows.
 Box unbounded_if_unknown(Box box) {
   for (std::size_t k = 0; k < 3; ++k)
     if (!(box.low[k] <= box.high[k])) box.low[k] = -kUnbounded, box.high[k] = kUnbounded;

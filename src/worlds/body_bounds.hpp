@@ -10,7 +10,7 @@
 
 namespace tamis {
 
-/// Bounds that move linearly, in the frame of the world. Each box is widened by kRounding of its coordinates, which
+/// Bounds that move linearly, in the frame of the world. Each box is widened by kRounding of its coordinates. This
 /// covers the rounding of may_meet().
 struct MovingBounds {
   Box start, end;

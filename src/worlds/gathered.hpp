@@ -14,7 +14,7 @@ namespace tamis {
 
 class Gathered {
  public:
-  /// Bodies with a lesser kind of motion than `least` are passive: they do not meet each other. These are the bodies
+  /// Bodies with a lesser kind of motion than `least` are passive. They do not meet each other. These are the bodies
   /// that stay, or in a question about curves those that do not turn. In a question about curves bodies that turn
   /// together do not meet each other here. `options`: the detector's, without groups. REQUIRES: `items` is not empty.
   Gathered(const BodyList& bodies, NearItems items, MotionKind least, const std::set<BodyPair>& excluded_pairs,

@@ -27,8 +27,8 @@ struct Gathering {
     const bool is_of_frame = least == MotionKind::turning && turn_together(a, b);
     return least <= kind && kind <= most && !is_of_frame;
   }
-  /// Of bodies that turn: have meshes served no later question, as where each question is about other motions? Then
-  /// only needed items are gathered; now and then a margin is tried again.
+  /// For bodies that turn. True if meshes have served no later question, as where each question is about other motions.
+  /// Then only needed items are gathered; now and then a margin is tried again.
   bool serves_once() const {
     constexpr int kTries = 4, kTriesAgain = 16;
     return least == MotionKind::turning && in_vain >= kTries && in_vain % kTriesAgain != 0;

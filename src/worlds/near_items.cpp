@@ -160,7 +160,7 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs, 
     };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto [a, b] = pairs[i];
-      // Pairs of bodies before `a` are done: their memory, which is in the caches, serves the pairs that follow.
+      // Pairs of bodies before `a` are done. Their memory, which is in the caches, serves the pairs that follow.
       of_moving.erase(of_moving.begin(), of_moving.lower_bound(a));
       stop_if_cancelled(options);
       PairWalk walk(side(a), side(b), distance.between(body(a), body(b)), options);

@@ -75,7 +75,7 @@ RoundedTransform after(const RoundedTransform& outer, const RoundedTransform& in
   return both;
 }
 
-/// Errors of single entries become norms: three times as large for nine entries, sqrt(3) times for three.
+/// Errors of single entries become norms. These are three times as large for nine entries, sqrt(3) times for three.
 RoundedTransform with_norms(RoundedTransform transform) {
   transform.turn_error *= 3;
   transform.shift_error *= kRootOfThree * kRoundedUp;

@@ -80,7 +80,7 @@ inline RigidChain without(const RigidChain& chain, std::size_t links) {
   return {chain.begin() + static_cast<std::ptrdiff_t>(links), chain.end()};
 }
 
-/// The fixed axis about which all points turn: the rotation vectors of all links from the outermost to the last that
+/// The fixed axis about which all points turn. The rotation vectors of all links from the outermost to the last that
 /// turns are exactly parallel to it. Zeros if they are not parallel, or if no link turns.
 Point fixed_axis(const RigidChain& chain);
 

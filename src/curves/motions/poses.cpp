@@ -25,7 +25,7 @@ constexpr const char* kGiveRotation = ": give a rotation, which rounding may hav
 
 using Rows = std::array<Point, 3>;
 
-/// The largest difference of an entry of R R^T from the identity's; or the first beyond kMostRounding, which may be
+/// The largest difference of an entry of R R^T from the identity's. Or the first beyond kMostRounding, which may be
 /// NaN.
 double off_from_rotation(const Rows& rows) {
   double off = 0;

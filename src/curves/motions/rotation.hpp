@@ -26,7 +26,7 @@ std::array<Vec3<T>, 3> rows_of(const Vec3<T>& w, const CosineSinc<T>& half) {
            {xz - a * w.y, yz + a * w.x, one - (xx + yy)}}};
 }
 
-/// From the square of phi, in [0, 1], by the alternating series. Its terms fall, so the rest after any term lies
+/// From the square of phi, in [0, 1], by the alternating series. Its terms fall. So the rest after any term lies
 /// between 0 and the next term. No promise of a library's sine is needed.
 inline CosineSinc<FineInterval> small_angle(const FineInterval& square) {
   constexpr int kTerms = 16;  // 32! > 2^117

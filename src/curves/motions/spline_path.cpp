@@ -115,7 +115,7 @@ void SplinePath::deviations(double from, double to, std::span<const Index> verti
                             std::span<double> deviations) const {
   const ComputingState state;
   const Interval factor = chord_factor(Interval(to) - Interval(from));
-  // x' has no jumps, so the largest |x''| of all pieces touched bounds the deviation.
+  // x' has no jumps. So the largest |x''| of all pieces touched bounds the deviation.
   const std::size_t first = piece_at(from, acceleration_.size()).piece, last = piece_at(to, acceleration_.size()).piece;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     double largest = 0;

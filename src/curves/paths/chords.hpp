@@ -26,7 +26,7 @@ class Chords {
 
   /// The vectors of the pair at both ends, widened by the deviations.
   PairMotion<I> motion() const { return motion(deviations_); }
-  /// The same vectors without the deviations: they enclose the pair at both ends, but not between.
+  /// The same vectors without the deviations. They enclose the pair at both ends, but not between.
   PairMotion<I> at_ends() const { return motion(Deviations{}); }
 
   /// True if the pair is proven farther apart than the separation. Tries an axis that turns linearly from the gap of

@@ -58,7 +58,7 @@ class PathSolver {
   int parts_looked_at() const { return parts_.taken(); }
 
  private:
-  /// The final decision if the part holds the earliest time not proven free; nothing if it is free or was cut.
+  /// The final decision if the part holds the earliest time not proven free. Nothing if it is free or was cut.
   std::optional<Decision> decided_by(const PathPart<T>& part) {
     const Chords<kind, T> chords(part.from, part.to, part.deviations, reader_.directions());
     const auto ends = chords.at_ends();
@@ -114,7 +114,7 @@ class PathSolver {
   }
 
   /// True if the features are flat on each other at the end of the part, as far as double-double can tell, and the part
-  /// is a bracket. So lie features that turn in their common plane; shorter parts give no certificate either.
+  /// is a bracket. Features that turn in their common plane lie like this. Shorter parts give no certificate either.
   bool is_touch_in_bracket(const PathPart<T>& part) const {
     if (std::is_same_v<T, double> || part.length() > question_.tolerance) return false;
     constexpr std::array<double, 4> kNoDeviations{};
@@ -133,7 +133,7 @@ class PathSolver {
     return true;
   }
 
-  /// Decides a part that this arithmetic gains nothing from cutting: doubles call double-double, whose answer is final.
+  /// Decides a part that this arithmetic gains nothing from cutting. Doubles call double-double, whose answer is final.
   std::optional<Decision> decided_further(const PathPart<T>& part, const PairMotion<BasicInterval<T>>& widened,
                                           bool crosses) {
     if constexpr (std::is_same_v<T, double>) {

@@ -49,7 +49,7 @@ class MeshPieces {
   /// For each vertex the larger of its deviations on both halves. Infinite if no double lies between `from` and `to`.
   std::vector<double> half_deviations(double from, double middle, double to) const;
   double end_of(const MeshMoment& start) const;
-  /// The vector from the chord's middle to the path's position there; off by at most `error`.
+  /// The vector from the chord's middle to the path's position there. Off by at most `error`.
   struct ChordOffset {
     Point offset;
     double error;

@@ -13,7 +13,7 @@
 namespace tamis {
 namespace {
 
-/// A part with no more pairs than this is not cut further: they are decided.
+/// A part with no more pairs than this is not cut further. Its pairs are decided.
 constexpr std::size_t kFewPairs = 4;
 /// Deviations go by the square of the length on all paths here. After 10 halvings they are a million times smaller.
 constexpr int kMostHalvingsOfPiece = 10;

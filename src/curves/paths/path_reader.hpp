@@ -22,7 +22,7 @@ struct Moment {
   double error = 0;  ///< the width of the widest interval
 };
 
-/// The middles of the intervals at two moments; finite even where an error is not.
+/// The middles of the intervals at two moments. They are finite even where an error is not.
 PairPoints points_between(const Moment<double>& from, const Moment<double>& to);
 
 /// Takes two points, one of each feature. Bounds the difference between their distance and the distance of their

@@ -80,8 +80,8 @@ class PathSearch {
   std::vector<Contact> contacts_;
   /// Pairs that later pieces skip: the contacts, and pairs that do not move relative to each other.
   std::set<PairKey> settled_;
-  /// Ignored pairs, which touch at the start. Each has a time until which it is not known to have been apart: the end
-  /// of a piece, or the start of the piece where it separated. Removed when the pair touches again.
+  /// Ignored pairs, which touch at the start. Each has a time until which it is not known to have been apart. This is
+  /// the end of a piece, or the start of the piece where it separated. Removed when the pair touches again.
   std::map<PairKey, double> in_contact_until_;
 };
 

@@ -9,7 +9,7 @@
 namespace tamis {
 namespace {
 
-/// The near pair of the rounded positions at t=0; its distance is in the path's unit.
+/// The near pair of the rounded positions at t=0. Its distance is in the path's unit.
 NearPair near_pair_at_start(const CarriedPair& carried, PairKind kind, const PairVertices& vertices) {
   const PairReader reader(carried.path(), carried.vertices(), 0);
   const auto moment = reader.at<double>(0);

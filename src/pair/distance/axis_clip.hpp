@@ -83,7 +83,7 @@ class AxisClip {
  private:
   using Corners = decltype(difference_corners<kind>(PairMotion<T>{}));
 
-  /// The axis scaled to a direction whose largest component is 1; the turn's largest is `turning`.
+  /// The axis scaled to a direction whose largest component is 1. The turn's largest is `turning`.
   struct UnitAxis {
     explicit UnitAxis(const TurningAxis<T>& axis) {
       const T inverse_size = T(1) / largest_component(axis.direction);
@@ -105,8 +105,8 @@ class AxisClip {
     return least;
   }
 
-  /// visit(c0, c1, c2, error_rate) for each corner: it lies beyond the separation at now + x by at least
-  /// c0 + c1 x - error_rate |x| + c2 x^2, while |x| times the turn is at most 1.
+  /// visit(c0, c1, c2, error_rate) for each corner. The corner lies beyond the separation at now + x by at least c0 +
+  /// c1 x - error_rate |x| + c2 x^2, while |x| times the turn is at most 1.
   template <class Visit>
   void for_each_corner_bound(const T& now, const UnitAxis& axis, const Visit& visit) const {
     constexpr double u = error_bounds::unit_roundoff<T>;

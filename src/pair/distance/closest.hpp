@@ -1,5 +1,5 @@
-// Closest points of two features at one time, in doubles, double-doubles or lanes: for contact weights, distances, and
-// the axis along which the features are apart.
+// Closest points of two features at one time, in doubles, double-doubles or lanes. They give contact weights,
+// distances, and the axis along which the features are apart.
 #pragma once
 #include "numbers/select.hpp"
 #include "numbers/vec.hpp"

@@ -1,5 +1,5 @@
-// Is a pair proven to keep a fraction of its distance at t=0 until some time?
-// Error bound: kKeptGap. Cost: that of a turning gap.
+// Is a pair proven to keep a fraction of its distance at t=0 until some time? Error bound: kKeptGap. Cost: as much as a
+// turning gap.
 #pragma once
 #include "pair/distance/turning_gap.hpp"
 

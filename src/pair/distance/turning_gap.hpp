@@ -29,7 +29,7 @@ class TurningGap {
   Vec3<T> gap(const T& t) const {
     return NearlyClosest::gap<kind>(at_time(m_.e, t), at_time(m_.f, t), at_time(m_.d, t));
   }
-  /// The length, or more where squares underflow: then an axis made with it is shorter than 1.
+  /// The length, or more where squares underflow. Then an axis made with it is shorter than 1.
   static T length(const Vec3<T>& v) { return sqrt(max(dot(v, v), constant<T>(error_bounds::underflow<T>))); }
   static Axis axis(const T& t, const Vec3<T>& gap) { return {t, (T(1) / length(gap)) * gap}; }
   Axis at(const T& t) const { return axis(t, gap(t)); }
@@ -64,7 +64,7 @@ class TurningGap {
   Mask<T> stays_apart(const TimeInterval<T>& time, int parts) const {
     return exceeds(least(), at(time.t_in), time.t_out, parts);
   }
-  /// What exceeds() must be asked with to prove that.
+  /// The argument of exceeds() that proves that.
   T least() const {
     return m_.separation + error_bounds::bound<T>(error_bounds::kTurningGap, m_.size_d + m_.size_e + m_.size_f);
   }

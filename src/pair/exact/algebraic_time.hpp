@@ -16,7 +16,7 @@ class AlgebraicTime {
   /// The sign of `q` at this time: -1, 0 or 1, decided exactly. Narrows the cell as far as that needs.
   int sign_of(const IntegerPolynomial& q);
 
-  /// -1, 0 or 1 as `a` comes before `b`, is the same time or comes after it; decided exactly. Narrows both cells as far
+  /// -1, 0 or 1 as `a` comes before `b`, is the same time or comes after it. Decided exactly. Narrows both cells as far
   /// as that needs.
   friend int compare(AlgebraicTime& a, AlgebraicTime& b);
   /// A time strictly between the two, as the lower end of the cell. REQUIRES (not checked: exact): `a` before `b`.
@@ -37,7 +37,7 @@ class AlgebraicTime {
   /// If so, the greatest common divisor becomes the polynomial.
   bool is_root_of(const IntegerPolynomial& q);
   void halve();
-  /// Makes the cell smaller, quadratically (Abbott 2006): a straight line through the values at its ends tells which of
+  /// Makes the cell smaller, quadratically (Abbott 2006). A straight line through the values at its ends tells which of
   /// 2^refinement_ smaller cells may hold the root. If signs confirm it, refinement_ doubles; else it is halved.
   void refine();
   /// Makes the cell one between neighbouring doubles, or exact. REQUIRES: 0 <= lower < upper <= 1.

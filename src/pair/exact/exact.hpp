@@ -12,7 +12,7 @@ namespace tamis {
 /// finite coordinates, a finite separation >= 0, `latest` in [0,1].
 Decision decide_exactly(PairKind kind, const PairPoints& points, double separation = 0, double latest = 1);
 
-/// Recontact: the same, but a pair that touches at t=0 counts only from the time when it touches again after it has
+/// Recontact. The same, but a pair that touches at t=0 counts only from the time when it touches again after it has
 /// separated.
 Decision decide_recontact_exactly(PairKind kind, const PairPoints& points, double separation = 0);
 

@@ -39,11 +39,11 @@ using Polygon = PolygonOf<Vec3<Length>>;
 /// numbers, a kind there is.
 MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double separation = 0);
 
-/// The same at t=0, in the unit that the start alone needs, which makes numbers shorter. REQUIRES: as above.
+/// The same at t=0, in the unit that the start alone needs. This makes numbers shorter. REQUIRES: as above.
 template <class Number = Integer>
 Polygon<Number> start_polygon(PairKind kind, const PairPoints& points, double separation = 0);
 
-/// The same in words; nothing where 61 bits do not hold every coordinate, which is rare. REQUIRES: as above.
+/// The same in words. Nothing where 61 bits do not hold every coordinate, which is rare. REQUIRES: as above.
 std::optional<Polygon<Word>> start_polygon_in_words(PairKind kind, const PairPoints& points, double separation = 0);
 
 /// The displacement of each corner during the step, in a unit of its own. REQUIRES: as above.

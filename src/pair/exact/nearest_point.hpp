@@ -93,7 +93,7 @@ class NearestPointSearch {
     return x.sign();
   }
 
-  /// The nearest point of the segment from corner x to corner y; `across` is x cross y.
+  /// The nearest point of the segment from corner x to corner y. `across` is x cross y.
   OnSide nearest_on_side(const Vector& x, const Vector& y, const Vec3<Area>& across) {
     const Vector side = y - x;
     const Area before = dot(x, side);

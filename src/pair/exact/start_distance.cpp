@@ -14,7 +14,7 @@ namespace {
 using IntegerVec = Vec3<Integer>;
 
 /// The largest squared speed of a corner. Every point of the polygon moves at a convex combination of corners'
-/// velocities, so none is faster.
+/// velocities. So none is faster than a corner.
 Integer squared_speed(const MovingPolygon& polygon) {
   Integer largest;
   for (std::size_t i = 0; i < polygon.corner_count; ++i) {

@@ -43,7 +43,7 @@ class TouchingTimes {
     return first;
   }
 
-  /// The first time of touching that a time without contact precedes; `touches(time)` decides single times. At the
+  /// The first time of touching that a time without contact precedes. `touches(time)` decides single times. At the
   /// start the pair may touch or not. Both ends of every span of touching must be among the times. Then between two
   /// neighbours the pair touches always or never.
   template <class Condition>

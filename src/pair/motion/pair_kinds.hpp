@@ -17,7 +17,8 @@ struct VertexDifference {
   std::size_t to, from;
 };
 
-/// The vectors of PairMotion. A side that a feature lacks is the difference of a vertex and itself: zero, exactly.
+/// The vectors of PairMotion. A side that a feature lacks is the difference of a vertex and itself. So it is exactly
+/// zero.
 struct SpanningVectors {
   VertexDifference e, f, d;
 };
@@ -69,7 +70,7 @@ constexpr std::span<const VertexDifference> difference_corners(PairKind kind) {
   return std::span(kVertexCorners).first(vertex_count(kind) - 1);
 }
 
-/// Calls f(kind) with the kind as a constant: in f, `kind()` can be a template argument. REQUIRES: a valid kind.
+/// Calls f(kind) with the kind as a constant. In f, `kind()` can be a template argument. REQUIRES: a valid kind.
 template <class F>
 decltype(auto) with_kind(PairKind kind, const F& f) {
   TAMIS_ASSERT(is_kind(kind));

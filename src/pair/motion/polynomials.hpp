@@ -1,5 +1,5 @@
-// The polynomials in time of a pair's motion, as Bernstein coefficients without their binomials (a coefficient i of
-// degree n is C(n,i) times the Bernstein coefficient: only its sign matters for culling).
+// The polynomials in time of a pair's motion, as Bernstein coefficients without their binomials. (A coefficient i of
+// degree n is C(n,i) times the Bernstein coefficient. Only its sign matters for culling.)
 #pragma once
 #include <array>
 

@@ -1,6 +1,6 @@
 // One step of conservative advancement for a minimum separation. It tells whether the pair is within the separation at
 // a time. If not, it tells until when the pair is certainly apart. The next time to probe is the end of that proof:
-// Newton's method on the distance, from the safe side. Double and SIMD lanes run the same lines, so a pair has the same
+// Newton's method on the distance, from the safe side. Double and SIMD lanes run the same code. So a pair has the same
 // bits in both.
 #pragma once
 #include "numbers/assert.hpp"

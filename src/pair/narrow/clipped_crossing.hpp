@@ -16,7 +16,7 @@ inline TimeInterval<T> widened(const TimeInterval<T>& time) {
 }
 
 /// Restricts a crossing that was found in widened(clip) to `clip`. The result decides the pair if it is free or
-/// touches; a contact whose bracket is not sharp is not decided, so `touches` is false there.
+/// touches. A contact whose bracket is not sharp is not decided, so `touches` is false there.
 template <class T>
 inline Crossing<T> clipped_crossing(Crossing<T> c, const TimeInterval<T>& clip) {
   c.lower = max(c.lower, clip.t_in);

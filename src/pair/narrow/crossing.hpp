@@ -1,7 +1,7 @@
 // One crossing: where the coplanarity cubic provably passes zero exactly once during the motion, certified signs
 // bracket the root, and the inside test compares the features there. This decides nearly every pair that reaches the
 // solver. The rest is cut in time first (pair/narrow/decide_in_doubles.cpp). One template for double and for SIMD
-// lanes; every lane's answer depends on that lane alone.
+// lanes. Every lane's answer depends on that lane alone.
 #pragma once
 #include "numbers/assert.hpp"
 #include "pair/filters/ncf.hpp"
@@ -74,7 +74,7 @@ struct CrossingSearch {
     const T radius = T(1.5) * error / fall + T(8 * error_bounds::unit_roundoff<T>);
     const T t = crossing::to_step(part, s, 0);
     const Vec3<T> n = cross(at_time(step.e, t), at_time(step.f, t));
-    // K at t, from the vectors at t; and how far K falls, in spite of all rounding, within the radius. Where the slope
+    // K at t, from the vectors at t. And how far K falls, in spite of all rounding, within the radius. Where the slope
     // proves no fall, the sign of K at t itself still tells the side of t on which the root is.
     const T value = dot(at_time(step.d, t), n), turned = select(rises, -value, value);
     const T length = part.t_out - part.t_in, bend = T(error_bounds::kBend) * length * length * unit;
@@ -85,7 +85,8 @@ struct CrossingSearch {
     const T lower = crossing::to_step(part, max(s - radius, T(0)), -1);
     const T upper = crossing::to_step(part, min(s + radius, T(1)), 1);
     const auto sides = crossing::sides<kind>(step, n, t, max(upper - t, t - lower));
-    // K falls to zero if a vertex comes from n's side, and rises if the first edge does: d starts from that edge.
+    // K falls to zero if a vertex comes from n's side, and rises if the first edge does. This is because d starts from
+    // that edge.
     const T per_norm = sqrt(sides.per_norm2);
     const T along =
         kind == PairKind::vertex_face ? select(rises, -per_norm, per_norm) : select(rises, per_norm, -per_norm);

@@ -66,7 +66,7 @@ inline T find_root(const std::array<T, 4>& k) {
   return search.root();
 }
 
-/// The roots of two cubics, interleaved: the divisions of one run while the other's are waited for.
+/// The roots of two cubics, interleaved. The divisions of one run while the other's are waited for.
 template <class T>
 inline std::array<T, 2> find_two_roots(const std::array<T, 4>& k, const std::array<T, 4>& other) {
   RootSearch<T> a(k), b(other);

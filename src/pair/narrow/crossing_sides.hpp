@@ -8,8 +8,8 @@
 
 namespace tamis::crossing {
 
-/// u, v and per_norm2 have a meaning only where `inside`. There |n|^2 is larger than the margins that the sides exceed,
-/// so it can be a divisor.
+/// u, v and per_norm2 have a meaning only where `inside`. There |n|^2 is larger than the margins that the sides exceed.
+/// So it can be a divisor.
 template <class T>
 struct Sides {
   Mask<T> inside, outside;

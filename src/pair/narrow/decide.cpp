@@ -37,7 +37,7 @@ bool stays_apart(const PairInStep& pair, const TimeInterval<double>& time) {
 }
 
 /// The decision in doubles. Nothing where the pair may touch at the start, which double-double does not decide either.
-/// With a separation the whole step comes first, so a pair has the same bits as in lanes. Without one, beginnings come
+/// With a separation the whole step comes first. So a pair has the same bits as in lanes. Without one, beginnings come
 /// first. The whole step of a pair that goes far would be cut into many parts.
 std::optional<Decision> decide_by_doubles(const PairInStep& pair, const TimeInterval<double>& clip) {
   const PairMotion<double>& m = pair.motion;

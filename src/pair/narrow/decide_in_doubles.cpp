@@ -36,8 +36,8 @@ Coplanarity coplanarity(const PairMotion<double>& m) {
   return {at_start, at_end, at_start && at_end && abs(k[1]) <= middle && abs(k[2]) <= middle};
 }
 
-/// Where to cut an undecided part: near an end at which the points are coplanar (contacts at the very start of a step
-/// are common), otherwise near the middle.
+/// Where to cut an undecided part: near an end where the points are coplanar, otherwise near the middle. (Contacts at
+/// the very start of a step are common.)
 double cut_at(const Coplanarity& points, const TimeInterval<double>& part) {
   constexpr double kNearEnd = 0.03137;  // no simple fraction, like kNearMiddle
   const double s = points.at_start == points.at_end ? kNearMiddle : points.at_start ? kNearEnd : 1 - kNearEnd;

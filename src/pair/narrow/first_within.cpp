@@ -10,7 +10,7 @@
 namespace tamis {
 namespace {
 
-/// Probes of one pair. Newton's method needs 3 to 8; a near miss by 1e-15 of the pair's size needs about 40.
+/// Probes of one pair. Newton's method needs 3 to 8. A near miss by 1e-15 of the pair's size needs about 40.
 constexpr int kMaxProbes = 160;
 /// Probes that advance by at least this part of the step do not count. While a pair's clearance exceeds
 /// error_bounds::kAdvanceClearance of its size, all probes advance that far.

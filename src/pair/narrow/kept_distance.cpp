@@ -19,7 +19,7 @@ namespace {
 using Vec = Vec3<double>;
 
 using error_bounds::kRoundoff;
-/// The distance at t=0 must be known to this fraction of the clearance; else it is decided in integers.
+/// The distance at t=0 must be known to this fraction of the clearance. Else it is decided in integers.
 constexpr double kSharpEnough = 0x1p-20;
 
 /// Proven bounds, in the unit of the motion.

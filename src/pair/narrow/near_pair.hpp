@@ -1,5 +1,5 @@
-// One pair at rest: is it within a separation, and what does NearPair say of it? Doubles answer first, by the code that
-// lanes run, then integers.
+// One pair at rest: tells whether it is within a separation, and makes its NearPair. Doubles answer first, by the code
+// that lanes run, then integers.
 #pragma once
 #include "pair/motion/make_motion.hpp"
 #include "tamis/proximity.hpp"

@@ -27,7 +27,7 @@ double first_length(const PairMotion<double>& m) {
   return std::ldexp(1, std::max(std::ilogb(size), kLeastExponent) + kDoublings);
 }
 
-/// What the pair does during `time` of a beginning. REQUIRES (not checked: exact): it is apart before `time`.
+/// The answer about the pair during `time` of a beginning. REQUIRES (not checked: exact): it is apart before `time`.
 Decision decide_during(PairKind kind, const PairMotion<double>& beginning, const TimeInterval<double>& time) {
   const TimeInterval<double> clip = clipped(kind, beginning, time);
   const bool may_touch_at_start =

@@ -1,4 +1,4 @@
-// Finds recontacts in doubles: a pair that is within its separation at t=0 may leave it and come back. Runs for each
+// Finds recontacts in doubles. A pair that is within its separation at t=0 may leave it and come back. Runs for each
 // such pair where contacts at the start are ignored.
 #include <algorithm>
 #include <cmath>

@@ -65,7 +65,7 @@ BoxFrame frame_of(const SceneVertices& scene, double min_separation) {
   BoxFrame frame{};
   frame.origin = finest.middle;
   frame.origin_at_end = finest.middle_at_end;
-  // One binary digit to spare, so rounding of origin and half width stays inside [-1,1].
+  // One binary digit to spare. So rounding of origin and half width stays inside [-1,1].
   const int exponent = finest.half > 0 ? std::min(-2 - std::ilogb(finest.half), 1000) : 0;
   frame.scale = std::ldexp(1.0, exponent);
   frame.widening = boxes.end.half_width() / boxes.start.half_width();

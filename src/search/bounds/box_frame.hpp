@@ -24,7 +24,7 @@ struct BoxFrame {
   /// subtraction of the margin by 2^-25. Half the fixed separation is added. A vertex' radius comes on top.
   float margin;
   /// Added where KeptGap compares a distance in floats with a fraction of an earlier one. Rounding hides 2^-23 of
-  /// either: no component of a vector between vertices is off by more than 2^-24. A pair's separation in floats is
+  /// either. No component of a vector between vertices is off by more than 2^-24. A pair's separation in floats is
   /// larger by 2^-22. This covers the distance compared, but is subtracted from the earlier one. Twice the radii come
   /// on top where there are outliers, for the same reason.
   static constexpr float kBlur = 0x1p-21f;
@@ -32,8 +32,8 @@ struct BoxFrame {
   /// the box's own subtraction.
   static constexpr float kRelativeMargin = 0x1p-22f;
   /// The absolute margin, added as well. The speed of a single pair (pair/narrow/kept_distance.hpp) is rounded up by at
-  /// most 2 * 40 * 2^-53 of its three sizes. Each is at most 2 here, so this is below 2^-44, and two boxes' margins add
-  /// up. No bound from boxes may be sharper than that speed.
+  /// most 2 * 40 * 2^-53 of its three sizes. Each is at most 2 here, so this is below 2^-44. Two boxes' margins add up.
+  /// No bound from boxes may be sharper than that speed.
   static constexpr float kLeastMargin = 0x1p-44f;
   /// The error that rounding hides of an outlier, relative to the sum of its largest coordinate and its radius.
   /// Rounding to float is off by 2^-24 of it, the box's own subtraction by as much. On an axis with m components 1 or

@@ -1,4 +1,4 @@
-// Finds where a step has its shortest edges: boxes need the precision of floats there.
+// Finds where a step has its shortest edges. Boxes need the precision of floats there.
 #pragma once
 #include <optional>
 #include <span>

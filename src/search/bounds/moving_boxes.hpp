@@ -7,7 +7,7 @@ namespace tamis {
 
 inline constexpr int kBlock = 16;
 
-/// Boxes of features within the frame are no wider than this; a wider box reaches an outlier.
+/// Boxes of features within the frame are no wider than this. A wider box reaches an outlier.
 inline constexpr float kWidest = 16;
 
 /// Coordinates are in the frame of the boxes, within [-8,8] except for outliers (BoxFrame). An empty lane has low =
@@ -21,7 +21,7 @@ struct alignas(64) BoxBlock {
   float low1[3][kBlock], high1[3][kBlock];
 };
 
-/// One box of a block: x y z at t=0, then at t=1, and two unused, so compilers vectorize its loops.
+/// One box of a block: x y z at t=0, then at t=1, and two unused. With these compilers vectorize its loops.
 struct MovingBox {
   static constexpr int kSize = 8;
   float low[kSize], high[kSize];
@@ -60,7 +60,7 @@ struct MovingBox {
 };
 
 /// The vertices of sixteen features, [corner][lane]. Every entry is a valid vertex. An empty lane repeats the block's
-/// first feature; its box is empty, so it meets nothing. Corners past a feature's last corner repeat that corner.
+/// first feature. Its box is empty, so it meets nothing. Corners past a feature's last corner repeat that corner.
 /// Kernels gather and write whole vectors of lanes past the last feature. So every lane's vertices must be readable.
 struct alignas(64) CornerBlock {
   std::int32_t vertex[3][kBlock];

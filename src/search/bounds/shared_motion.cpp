@@ -9,8 +9,8 @@ namespace {
 
 /// About how many are sampled.
 constexpr std::size_t kSampledVertices = 4096, kSampledEdges = 1024;
-/// The clearance that a gradient costs, relative to the length of edges: the clearance of boxes eight edges wide, a
-/// guess at the boxes of near pairs. No answer depends on it.
+/// The clearance that a gradient costs, relative to the length of edges. It is the clearance of boxes eight edges wide,
+/// a guess at the boxes of near pairs. No answer depends on it.
 constexpr double kEdgeAdvanceClearance = 8 * error_bounds::kBoxAdvanceClearance;
 /// By how much the least stretch must exceed the fraction, and how large the greatest may be. Otherwise the clearance
 /// costs more than the gradient gains.

@@ -31,7 +31,8 @@ double mixed_area(const Box& a, const Box& b) {
 
 /// How the area of an order's blocks spreads over time. A traversal's cost grows with it. Boxes are as wide as the
 /// positions of their points at the order's time, and widen by the differences of the displacements. The sum of the
-/// areas is a quadratic in time. Points that separate along a line add no area of their own, but make boxes longer.
+/// areas is a quadratic in time. Points that separate along a line add no area of their own. But they make boxes
+/// longer.
 struct Spread {
   double constant = 0, linear = 0, quadratic = 0;  ///< coefficients of the area
 

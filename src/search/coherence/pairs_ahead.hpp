@@ -17,12 +17,12 @@ class PairsAhead final : public KeptLists {
   /// Keeps a reference.
   explicit PairsAhead(const Mesh& mesh);
 
-  /// Begins a query. Returns true if it follows the prediction, so its listed pairs are to be decided first.
+  /// Begins a query. Returns true if it follows the prediction. Then its listed pairs are to be decided first.
   bool begin(const Query& query);
   /// Call it after the listed pairs have been decided. True if another pair may still touch, so the trees must be
   /// searched.
   bool leaves_undecided(const ContactCollector& answer) const;
-  /// Lists are worth making if the query continues the last one: the pairs of the step that is predicted then.
+  /// Lists are worth making if the query continues the last one. Then the pairs are of the step that is predicted.
   std::optional<Listing> plan(const Query& query) override;
   /// The times of the predicted step that this query covers.
   const TimeInterval<float>& when() const { return when_; }

@@ -10,7 +10,8 @@
 
 namespace tamis {
 
-/// For questions about step lengths: until when every pair keeps a fraction of its distance at the start.
+/// For questions about step lengths. Such a question finds the time until which every pair keeps a fraction of its
+/// distance at the start.
 class PairsNearStart final : public KeptLists {
  public:
   /// Keeps a reference.

@@ -114,7 +114,7 @@ class ThreadStreams {
 
   Workspace& workspace_;
   Shared* shared_ = nullptr;
-  /// Null where memory did not suffice for a consumer: oneTBB keeps an element whose construction threw.
+  /// Null where memory did not suffice for a consumer. oneTBB keeps an element whose construction threw.
   tbb::enumerable_thread_specific<std::unique_ptr<Consumer>> of_threads_;
 };
 

@@ -176,7 +176,7 @@ class LeafRows {
     return to;
   }
 
-  /// A row's place in leaves_, and the lane of its one feature: unsigned arithmetic takes fewer operations.
+  /// A row's place in leaves_, and the lane of its one feature. Unsigned arithmetic takes fewer operations.
   static unsigned place_of(std::int32_t row) { return static_cast<unsigned>(row) / kBlock; }
   const MetLeaf& leaf_of(std::int32_t row) const { return leaves_[place_of(row)]; }
   static int lane_of(std::int32_t row) { return static_cast<int>(static_cast<unsigned>(row) % kBlock); }

@@ -53,7 +53,7 @@ struct Query {
   DistanceRule distance_rule_for(PairKind kind, const std::array<Index, 4>& vertices, double fraction) const {
     return {fraction, separations.between(kind, vertices), ignores_start};
   }
-  /// True if the pair's features are fewer edges apart than the caller wants. Takes a search along the mesh, so it runs
+  /// True if the pair's features are fewer edges apart than the caller wants. Takes a search along the mesh. So it runs
   /// last, for pairs that would be in the answer.
   bool are_neighbours(PairKind kind, const std::array<Index, 4>& v) const {
     const std::span<const Index> all(v.data(), vertex_count(kind));

@@ -16,7 +16,7 @@ struct StepLimit {
   PairKind kind = PairKind::vertex_face;
   PairVertices vertices{};
 
-  /// Keeps the earlier of both; of equal times the first in the order of contacts.
+  /// Keeps the earlier of both. Of equal times it keeps the first in the order of contacts.
   void add(const StepLimit& other) {
     TAMIS_ASSERT(0 <= other.time && other.time <= 1);
     if (other.time < 1 && other.key() < key()) *this = other;

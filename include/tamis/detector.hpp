@@ -55,7 +55,7 @@ class Detector {
 
   /// Finds all contacts of a motion on curves, with the bounds that the path promises (tamis/path.hpp). The path is cut
   /// into pieces; each piece becomes a query about straight chords. Pairs that chords do not prove free are decided on
-  /// their curves. This ends when they are proven free or their bracket is no wider than PathOptions::tolerance. Memory
+  /// their curves. This ends when each is proven free or has a bracket no wider than PathOptions::tolerance. Memory
   /// holds, of one piece at a time, all pairs that come nearer than their deviations. With AtStart::ignore a pair that
   /// may touch at t=0 counts from the first of some times on at which it is proven apart (docs/numerics/curves.md,
   /// "Curved motion"). Returns the contacts sorted by kind, then vertices. Times are the path's. Throws InvalidPath if

@@ -39,9 +39,9 @@ class Path {
   virtual void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const;
 
   /// Writes for each vertex a bound, >= 0, of its deviation. The deviation is its Euclidean distance, at any time t of
-  /// [from, to], from ((to - t) x(from) + (t - from) x(to)) / (to - from). The latter goes along the chord at constant
-  /// speed. The bound must go to zero as the piece gets shorter, for smooth curves with the square of its length: |x''|
-  /// (to - from)^2 / 8.
+  /// [from, to], from ((to - t) x(from) + (t - from) x(to)) / (to - from). The latter point goes along the chord at
+  /// constant speed. The bound must go to zero as the piece gets shorter, for smooth curves with the square of its
+  /// length: |x''| (to - from)^2 / 8.
   virtual void deviations(double from, double to, std::span<const Index> vertices,
                           std::span<double> deviations) const = 0;
 

@@ -1,9 +1,9 @@
 // Truncates a step vertex by vertex. All vertices go together until a common time. Up to that time every pair keeps a
 // little more of its distance than it must. From there each continues alone. The engine then finds the pairs that do
 // not keep their distance on the straight motion to the new positions. Planes between the features of each
-// (api/planar_times.hpp) stop its vertices. Rounds follow until no such pair is left. If the rounds do not end, each
-// vertex goes alone from the start, with planes between all pairs that could meet. All positions that are tested are
-// numbers that the caller can store.
+// (api/planar_times.hpp) stop its vertices. This repeats in rounds until no such pair is left. If the rounds do not
+// end, each vertex goes alone from the start, with planes between all pairs that could meet. All positions that are
+// tested are numbers that the caller can store.
 #pragma once
 #include <atomic>
 #include <vector>

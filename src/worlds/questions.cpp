@@ -10,7 +10,7 @@
 namespace tamis {
 namespace {
 
-/// The options for questions about steps, which have no tolerance.
+/// A detector's options for questions about steps, which have no tolerance.
 QueryOptions of_steps(const PathOptions& asked) { return {asked.min_separation, of_curves(asked).at_start}; }
 
 // The first contact of each pair of bodies, of a gathered mesh and of a body with itself.

@@ -104,8 +104,8 @@ struct World::State {
   std::map<std::pair<std::size_t, BodyId>, Gathering> carried_;  ///< by the number of shared links and the first body
 };
 
-/// The options for questions about curves. With AtStart::fail contacts at the start are reported. The world refuses
-/// them, naming bodies.
+/// A detector's options for questions about curves. With AtStart::fail contacts at the start are reported. The world
+/// refuses them, naming bodies.
 inline PathOptions of_curves(PathOptions asked) {
   if (asked.at_start == AtStart::fail) asked.at_start = AtStart::report;
   return asked;

@@ -36,7 +36,8 @@ double length_above(std::initializer_list<std::pair<double, const Point*>> terms
   return tamis::length_above({along(0), along(1), along(2)});
 }
 
-/// The piece that holds a time, and how far the time lies beyond the piece's first frame. That is exact, in pieces.
+/// The piece that holds a time, and how far the time lies beyond the piece's first frame. The latter is exact, in
+/// pieces.
 struct PieceTime {
   std::size_t piece;
   FineInterval beyond;

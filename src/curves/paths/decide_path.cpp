@@ -10,7 +10,7 @@
 namespace tamis {
 namespace {
 
-/// The sign of the pair's coplanarity at a moment. Doubles compute it. Where they cannot tell double-double does, at
+/// The sign of the pair's coplanarity at a moment. Doubles compute it. Where they cannot tell, double-double does, at
 /// ten times the cost. 0: neither can tell.
 int side_at(PairKind kind, const PairReader& reader, const Moment<double>& moment) {
   return with_kind(kind, [&](auto k) {

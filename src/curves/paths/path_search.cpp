@@ -128,7 +128,7 @@ void PathSearch::search_chords(const MeshMoment& from, const MeshMoment& to) {
   pieces_.adapt_length(candidates_.contacts().size());
 }
 
-/// Chords that come near after a certain time of the piece may be skipped if curves that come near after it may.
+/// If curves that come near after some time of the piece may be skipped, so may chords that come near after it.
 void PathSearch::begin_bound_on_piece(const TimeInterval<double>& piece) {
   bound_on_piece_.begin(1, query_.answers());
   for (std::size_t answer = 0; answer < query_.answers(); ++answer) {

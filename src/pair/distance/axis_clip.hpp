@@ -52,8 +52,8 @@ class AxisClip {
     return (now - time_from(now, axis, T(-1))) * T(1 + 4 * error_bounds::unit_roundoff<T>);
   }
   /// For a pair that lies beyond the separation along the axis at `now`. True if it is proven to have done so during
-  /// the time `duration` before? So it is if every corner comes nearer, or is far from the separation. Holds also where
-  /// the axis is off by 2 u a component.
+  /// the time `duration` before. This is proven if every corner comes nearer, or is far from the separation. Holds also
+  /// where the axis is off by 2 u a component.
   bool was_beyond(const T& now, const TurningAxis<T>& axis, const T& duration) const {
     const UnitAxis unit(axis);
     bool was = duration * unit.turning <= T(1);

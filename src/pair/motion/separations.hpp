@@ -1,4 +1,5 @@
-// Features this near count as touching. The sum of a distance for all pairs and a radius for each of the two features.
+// Features within this distance count as touching. It is a distance for all pairs plus a radius for each of the two
+// features.
 #pragma once
 #include <algorithm>
 #include <array>

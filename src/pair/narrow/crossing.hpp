@@ -74,7 +74,7 @@ struct CrossingSearch {
     const T radius = T(1.5) * error / fall + T(8 * error_bounds::unit_roundoff<T>);
     const T t = crossing::to_step(part, s, 0);
     const Vec3<T> n = cross(at_time(step.e, t), at_time(step.f, t));
-    // K at t, from the vectors at t. And how far K falls, in spite of all rounding, within the radius. Where the slope
+    // K at t, from the vectors at t. Also how far K falls, in spite of all rounding, within the radius. Where the slope
     // proves no fall, the sign of K at t itself still tells the side of t on which the root is.
     const T value = dot(at_time(step.d, t), n), turned = select(rises, -value, value);
     const T length = part.t_out - part.t_in, bend = T(error_bounds::kBend) * length * length * unit;

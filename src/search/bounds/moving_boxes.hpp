@@ -21,7 +21,7 @@ struct alignas(64) BoxBlock {
   float low1[3][kBlock], high1[3][kBlock];
 };
 
-/// One box of a block: x y z at t=0, then at t=1, and two unused. With these compilers vectorize its loops.
+/// One box of a block: x y z at t=0, then at t=1, and two unused. The unused ones let compilers vectorize its loops.
 struct MovingBox {
   static constexpr int kSize = 8;
   float low[kSize], high[kSize];

@@ -43,8 +43,8 @@ struct TreeView {
   bool has_exclusions;  ///< by groups or marks
 };
 
-/// True if no feature of leaf block `block` of `a` make a pair of interest with one of block `other` in level `level`
-/// of `b`? Either their groups may not touch, or neither block holds a marked feature.
+/// True if no feature of leaf block `block` of `a` makes a pair of interest with a feature of block `other` in level
+/// `level` of `b`. Either their groups may not touch, or neither block holds a marked feature.
 [[gnu::always_inline]] inline bool are_excluded(const TreeView& a, int block, const TreeView& b, int level, int other) {
   if (a.marked[0] && !a.marked[0][block] && !b.marked[level][other]) return true;
   if (!a.groups.may_touch) return false;

@@ -22,7 +22,7 @@ class PairsAhead final : public KeptLists {
   /// Call it after the listed pairs have been decided. True if another pair may still touch, so the trees must be
   /// searched.
   bool leaves_undecided(const ContactCollector& answer) const;
-  /// Lists are worth making if the query continues the last one. Then the pairs are of the step that is predicted.
+  /// Lists are worth making if the query continues the last one. They then hold the pairs of the predicted step.
   std::optional<Listing> plan(const Query& query) override;
   /// The times of the predicted step that this query covers.
   const TimeInterval<float>& when() const { return when_; }

@@ -112,9 +112,9 @@ struct StepRows {
 /// pairs that they leave.
 struct PairKernels {
   /// Finds all pairs of a feature in leaf block `block` of `a` with a feature of `b` that share no vertex and whose
-  /// moving boxes meet. Finds some more pairs, depending on how features are put into blocks (box_overlap.hpp). Edges
-  /// are searched against blocks from `block` on, each pair once. Loose edges and points are searched like faces, their
-  /// last vertex repeated.
+  /// moving boxes meet. Also finds some more pairs, depending on how features are put into blocks (box_overlap.hpp).
+  /// Edges are searched against blocks from `block` on, each pair once. Loose edges and points are searched like faces,
+  /// their last vertex repeated.
   SearchKernel search = nullptr;
   /// The same for boxes at t=0. Two boxes together are widened by search.widened.
   SearchKernel search_at_rest = nullptr;

@@ -17,7 +17,7 @@ class Rings {
   /// Is there more than one ring? If not, only features with a common vertex are neighbours.
   bool any() const { return rings_ > 1; }
   /// True if the shortest way along edges, from a vertex of one feature to a vertex of the other, is shorter than
-  /// `rings` > 1? Grows rings around both, each time the one with fewer edges. REQUIRES: vertices of the mesh.
+  /// `rings` > 1. Grows rings around both, each time the one with fewer edges. REQUIRES: vertices of the mesh.
   bool are_neighbours(std::span<const Index> first, std::span<const Index> second) const {
     return any() && search(first, second);
   }

@@ -37,9 +37,9 @@ class Truncation {
   /// tested before and have not changed since are not tested again. Clears result_.is_free if a pair starts within its
   /// separation.
   std::vector<StepLimit> broken_pairs();
-  /// Must a vertex of the pair stop earlier? Sets `some_start_within` if the pair starts within its separation and is
-  /// not ignored for that. Several threads may call it. REQUIRES: the pair's time is in [0,1). REQUIRES (not checked:
-  /// history): the pair is of the engine's answer.
+  /// True if a vertex of the pair must stop earlier. Sets `some_start_within` if the pair starts within its separation
+  /// and is not ignored for that. Several threads may call it. REQUIRES: the pair's time is in [0,1). REQUIRES (not
+  /// checked: history): the pair is of the engine's answer.
   bool is_broken(const StepLimit& pair, std::atomic<bool>& some_start_within) const;
   /// True if a vertex of the pair continues after the common time.
   bool goes_on_alone(const StepLimit& pair) const;

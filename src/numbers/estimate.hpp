@@ -39,7 +39,7 @@ class Estimate {
   bool has_sign() const { return is_zero() || std::fabs(value_) > error_; }
   /// Means nothing unless has_sign(), which callers may test afterwards.
   int sign() const { return value_ > 0 ? 1 : value_ < 0 ? -1 : 0; }
-  /// Is the value off by at most a few roundings, 2^-48 of `size`?
+  /// True if the value is off by at most a few roundings, 2^-48 of `size`.
   bool is_sharp(double size) const { return error_ <= 0x1p-48 * size && std::isfinite(size); }
   bool is_sharp() const { return is_sharp(std::fabs(value_)); }
 

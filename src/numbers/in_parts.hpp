@@ -64,7 +64,7 @@ Value joined_parts(std::span<Item> items, std::size_t grain, const Value& nothin
                       [&](std::size_t begin, std::size_t end) { return f(items.subspan(begin, end - begin)); });
 }
 
-/// Does is_so(item) hold for all items? Once it has failed for one, parts that have not begun are skipped.
+/// True if is_so(item) holds for all items. Once it has failed for one, parts that have not begun are skipped.
 template <class Item, class F>
 bool all_in_parts(std::span<const Item> items, std::size_t grain, const F& is_so) {
   std::atomic<bool> are_so = true;

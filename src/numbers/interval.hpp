@@ -116,7 +116,7 @@ inline bool operator<(const BasicInterval<T>& a, const BasicInterval<T>& b) {
   return a.upper < b.lower;
 }
 
-/// Is the vector exactly zero?
+/// True if the vector is exactly zero.
 template <class T>
 inline bool is_zero(const Vec3<BasicInterval<T>>& v) {
   return v.x.is_zero() && v.y.is_zero() && v.z.is_zero();

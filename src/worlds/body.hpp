@@ -51,7 +51,7 @@ class Body {
   MotionKind motion_kind() const { return motion_kind_; }
   /// REQUIRES: it turns.
   const RigidChain& chain() const { return std::get<Rigid>(motion_).chain; }
-  /// Are its numbers so small that doubles certainly represent its positions at all times?
+  /// True if its numbers are so small that doubles certainly represent its positions at all times.
   bool is_surely_representable() const;
   /// Null unless it deforms.
   const Deforming* deforming() const { return std::get_if<Deforming>(&motion_); }

@@ -7,7 +7,7 @@
 
 namespace tamis {
 
-/// Do both bodies turn, and are their outermost links equal?
+/// True if both bodies turn, and their outermost links are equal.
 bool turn_together(const Body& a, const Body& b);
 
 /// Pairs that share the same links, and no more.

@@ -13,7 +13,7 @@
 namespace tamis {
 namespace {
 
-/// Is a rotation vector of the link longer than kLargestRoundedAngle, or not finite?
+/// True if a rotation vector of the link is longer than kLargestRoundedAngle, or not finite.
 bool turns_far(const RigidLink& link) {
   const auto is_far = [](const Pose& pose) {
     const auto [x, y, z] = pose.rotation;
@@ -102,7 +102,7 @@ Point turned_by(const RigidChain& chain, double time, const Point& direction) {
 
 namespace {
 
-/// Is a b exactly c d? False also where two doubles cannot hold a product.
+/// True if a b is exactly c d. False also where two doubles cannot hold a product.
 bool are_equal_products(double a, double b, double c, double d) {
   const auto is_held = [](double x, double y) { return x == 0 || y == 0 || std::fabs(x * y) > 0x1p-900; };
   const DoubleDouble left = DoubleDouble::product_of(a, b), right = DoubleDouble::product_of(c, d);

@@ -92,7 +92,7 @@ class ChainBounds {
   /// Bounds for a point no farther than `from_origin` from the origin of its body's frame. In that frame it moves by
   /// `displacement`. Linear in `from_origin`, but for rounding.
   Curvature of(double from_origin, double displacement) const;
-  /// Does any link turn? If not, points go straight.
+  /// True if any link turns. If not, points go straight.
   bool turns() const { return turns_; }
 
  private:

@@ -152,8 +152,8 @@ int side_of(const Vec3<BasicInterval<T>>& e, const Vec3<BasicInterval<T>>& f, co
   return k.lower > T(0) ? 1 : k.upper < T(0) ? -1 : 0;
 }
 
-/// Do the features cross, each strictly inside the other, whenever their four points are coplanar during the motion?
-/// Proven if the side polynomials of NCF have the strict signs of the inside.
+/// True if the features cross, each strictly inside the other, whenever their four points are coplanar during the
+/// motion. Proven if the side polynomials of NCF have the strict signs of the inside.
 template <PairKind kind, class T>
 bool stays_inside(const PairMotion<T>& m) {
   const auto n = normal_polynomial(m.e, m.f);

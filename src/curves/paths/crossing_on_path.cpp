@@ -104,8 +104,8 @@ class PathSolver {
     return to;
   }
 
-  /// May cutting make proofs sharper? In doubles not if the errors of positions are about as large as the gap. With a
-  /// gap that is far larger than errors and deviations the pair comes together later in the part.
+  /// True if cutting may make proofs sharper. In doubles it may not if the errors of positions are about as large as
+  /// the gap. With a gap that is far larger than errors and deviations the pair comes together later in the part.
   bool may_gain(const PathPart<T>& part, double gap_at_start) const {
     const double error = std::max(part.from.error, part.to.error);
     if (std::is_same_v<T, double> && !(gap_at_start > 8 * error)) return false;

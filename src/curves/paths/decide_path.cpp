@@ -35,7 +35,7 @@ ContactPlace place_on_path(const PathQuestion& question, const Decision& decisio
   return crossing_place(chord, {0, 1}, kind == PairKind::edge_edge ? -side : side);
 }
 
-/// Is the pair proven apart at this time?
+/// True if the pair is proven apart at this time.
 bool is_apart_on_path(const PathQuestion& question, double time) {
   const PairReader reader(question.path, question.vertices, time);
   const auto moment = reader.at<double>(time);

@@ -16,7 +16,7 @@ Decision first_crossing_on_path(const PathQuestion& question, const PairReader& 
 /// begins there.
 Decision first_within_on_path(const PathQuestion& question, const PairReader& reader, const TimeInterval<double>& time);
 
-/// At one time: is the distance beyond the separation, certainly?
+/// True if at one time the distance is certainly beyond the separation.
 bool is_apart_at(PairKind kind, const Moment<double>& moment, double separation);
 
 }  // namespace tamis

@@ -32,7 +32,7 @@ class PairsOnParts {
   /// Keeps the piece's references until the next call.
   void begin(const Piece& piece);
 
-  /// Is a pair that is apart before this time still wanted? Once it is not, it is not for later times.
+  /// True if a pair that is apart before this time is still wanted. Once it is not, it is not for later times.
   using Wants = std::function<bool(const Contact& pair, double from)>;
   /// The places in Piece::pairs of the pairs to decide next, ascending. These may touch in the earliest part that has
   /// wanted pairs. Returns each pair once. Empty if no other pair is wanted. Throws InvalidPath and Cancelled.

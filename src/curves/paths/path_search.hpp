@@ -54,7 +54,7 @@ class PathSearch {
   void decide_all(const MeshMoment& from, const MeshMoment& to);
   /// Decides the candidates at these places, in parallel, and lowers the bound.
   void decide(const TimeInterval<double>& piece, std::span<const std::int32_t> places);
-  /// Can the pair, which is apart before the time `from`, still change the answer?
+  /// True if the pair, which is apart before the time `from`, can still change the answer.
   bool wants(const Contact& pair, double from) const {
     return !bound_.is_settled() && from <= bound_.latest(query_.answer_of(pair.kind, pair.vertices));
   }

@@ -1,5 +1,5 @@
-// Is a pair proven to keep a fraction of its distance at t=0 until some time? Error bound: kKeptGap. Cost: as much as a
-// turning gap.
+// Tests whether a pair is proven to keep a fraction of its distance at t=0 until some time. Error bound: kKeptGap.
+// Cost: as much as a turning gap.
 #pragma once
 #include "pair/distance/turning_gap.hpp"
 
@@ -24,8 +24,8 @@ class KeptGap {
   /// clearance advancement (keeps_distance_until) gives the same result.
   auto is_kept(const T& until, int parts = 1) const { return gap_.exceeds(kept_ + room_, start_, until, parts); }
 
-  /// Is the pair proven to keep the fraction on the whole step? Needs no advance clearance. In doubles it is a part of
-  /// keeps_distance_until, so the time of such a pair is 1 everywhere.
+  /// True if the pair is proven to keep the fraction on the whole step. Needs no advance clearance. In doubles it is a
+  /// part of keeps_distance_until, so the time of such a pair is 1 everywhere.
   auto is_kept_to_end(int parts = 1) const { return gap_.exceeds(kept_, start_, T(1), parts); }
 
  private:

@@ -9,7 +9,7 @@
 namespace tamis {
 
 struct StartGap {
-  /// Is the clearance proven larger than `reach` times the relative speed?
+  /// True if the clearance is proven larger than `reach` times the relative speed.
   template <PairKind kind, class T>
   static auto exceeds(const PairMotion<T>& m, const T& reach) {
     const T size = m.size_d + m.size_e + m.size_f;

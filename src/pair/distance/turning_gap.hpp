@@ -34,7 +34,7 @@ class TurningGap {
   static Axis axis(const T& t, const Vec3<T>& gap) { return {t, (T(1) / length(gap)) * gap}; }
   Axis at(const T& t) const { return axis(t, gap(t)); }
 
-  /// Is the distance from one time in [0,1] to another larger than `least`, less the error kTurningGap?
+  /// True if the distance from one time in [0,1] to another is larger than `least`, less the error kTurningGap.
   Mask<T> exceeds(const T& least, const Axis& from, const Axis& until) const {
     const T half = constant<T>(0.5);
     T lowest = dot(from.along, at_time(m_.d, from.time));
@@ -60,7 +60,7 @@ class TurningGap {
     return result;
   }
 
-  /// Is the pair proven farther apart than its separation during `time`?
+  /// True if the pair is proven farther apart than its separation during `time`.
   Mask<T> stays_apart(const TimeInterval<T>& time, int parts) const {
     return exceeds(least(), at(time.t_in), time.t_out, parts);
   }

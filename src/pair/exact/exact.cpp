@@ -84,8 +84,8 @@ class MovingPolygonTest {
     return is_on_boundary(time);
   }
 
-  /// Does the polygon's projection along `axis` hold the origin? The projection is convex, with this orientation. It
-  /// does if the origin is on the inner side of all sides.
+  /// True if the polygon's projection along `axis` holds the origin. The projection is convex, with this orientation.
+  /// It does if the origin is on the inner side of all sides.
   bool contains_projected_origin(AlgebraicTime& time, std::size_t axis, int orientation) const {
     for (std::size_t i = 0; i < polygon_.corner_count; ++i)
       if (time.sign_of(cross_along(axis, polygon_.corner(i), polygon_.corner(i + 1))) == -orientation) return false;

@@ -49,7 +49,7 @@ class Description {
     if (sign(nearest_.square.above) > 0) result.distance = root(nearest_.square);
     return result;
   }
-  /// Is the result of made() sure and sharp? Always true of integers.
+  /// True if the result of made() is sure and sharp. Always true of integers.
   bool is_sure() const { return is_sure_; }
 
  private:

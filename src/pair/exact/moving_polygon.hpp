@@ -1,4 +1,4 @@
-// All kinds of pair as one question: does a moving convex polygon contain the origin?
+// All kinds of pair as one question: whether a moving convex polygon contains the origin.
 //   vertex-face: the triangle p-a, p-b, p-c;   edge-edge: the parallelogram b0-a0, b0-a1, b1-a1, b1-a0
 //   vertex-edge: the segment p-a, p-b;         vertex-vertex: the point p-q
 // (the Minkowski difference of the two features; the last two are polygons without area). Coordinates are integers,

@@ -42,7 +42,7 @@ constexpr SpanningVectors spanning_vectors(PairKind kind) {
 /// no inside to pass through. They meet at single times, which hardly ever happens, or come near.
 constexpr bool can_cross(PairKind kind) { return kind == PairKind::vertex_face || kind == PairKind::edge_edge; }
 
-/// Is contact a matter of the distance? If not, of when the four points are coplanar.
+/// True if contact is a matter of the distance. If not, it is a matter of when the four points are coplanar.
 constexpr bool is_about_distance(PairKind kind, double separation) { return separation > 0 || !can_cross(kind); }
 
 /// The index, among the pair's vertices, of the second feature's first vertex.

@@ -61,7 +61,7 @@ template <class T>
 constexpr bool may_be_whole(const PairMotion<T>&) {
   return true;
 }
-/// Is the motion finite and not restricted?
+/// True if the motion is finite and not restricted.
 inline bool is_whole(const PairMotion<double>& m) { return is_finite(m) && may_be_whole(m); }
 template <class T>
 constexpr bool is_whole(const PairMotion<T>&) {

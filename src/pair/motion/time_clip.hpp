@@ -17,7 +17,7 @@ struct TimeInterval {
 inline constexpr double kNearMiddle = 0.48713;
 inline double near_middle(double from, double to) { return from + kNearMiddle * (to - from); }
 
-/// Is the interval neither empty nor beyond the step? Checked for doubles alone.
+/// True if the interval is neither empty nor beyond the step. Checked for doubles alone.
 inline bool is_part_of_step(const TimeInterval<double>& time) {
   return 0 <= time.t_in && time.t_in <= time.t_out && time.t_out <= 1;
 }

@@ -42,7 +42,7 @@ class SeparationProbe {
     const T length = sqrt(dot(closest.gap, closest.gap));
     return {closest, length, length * T(error_bounds::kLengthUp) + error_};
   }
-  /// Is the distance within the separation, certified?
+  /// True if the distance is certified to be within the separation.
   Mask<T> touches(const DistanceAt<T>& distance) const { return distance.at_most <= m_.separation; }
 
   /// The proof that the pair is apart from `t` on. `distance`: distance_at(t).

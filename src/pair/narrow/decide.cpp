@@ -50,13 +50,13 @@ std::optional<Decision> decide_by_doubles(const PairInStep& pair, const TimeInte
   return stays_apart(pair, clip) ? std::optional(Decision{}) : std::nullopt;
 }
 
-/// Is the answer of integers not needed?
+/// True if the answer of integers is not needed.
 bool is_needless(const PairInStep& pair, const TimeInterval<double>& clip, double needed_until) {
   return needed_until < 1 && (clip.t_in > needed_until || stays_apart_closing_in(pair, {clip.t_in, needed_until}));
 }
 
-/// Can doubles not tell sharply when the pair touches, should it touch about this time? Proven where the coplanarity is
-/// so flat that no crossing is sharp, nor would be in a beginning of the step until then.
+/// True if doubles cannot tell sharply when the pair touches, should it touch about this time. Proven where the
+/// coplanarity is so flat that no crossing is sharp, nor would be in a beginning of the step until then.
 bool is_flat_at(const PairInStep& pair, double time) {
   constexpr double kWidestSharp = 1e-11, kMargin = 0.125;
   const PairMotion<double>& m = pair.motion;

@@ -15,9 +15,9 @@ namespace tamis {
 
 // 0. Nothing matters but whether the pair is free until a time: closing_in.cpp.
 
-/// Is the pair proven farther apart than its separation during `time`? Succeeds up to shortly before a time when whole
-/// scenes come to one line or point. There signs are lost, but axes orthogonal to the line are not. Costs a thousand
-/// instructions where one axis suffices. REQUIRES: `time` in [0,1], in order.
+/// True if the pair is proven farther apart than its separation during `time`. Succeeds up to shortly before a time
+/// when whole scenes come to one line or point. There signs are lost, but axes orthogonal to the line are not. Costs a
+/// thousand instructions where one axis suffices. REQUIRES: `time` in [0,1], in order.
 bool stays_apart_closing_in(const PairInStep& pair, const TimeInterval<double>& time);
 
 // 1. One crossing, or two in halves of the time: decided_by_crossings.cpp.
@@ -26,7 +26,7 @@ bool stays_apart_closing_in(const PairInStep& pair, const TimeInterval<double>& 
 /// that is free until `latest` may be said to be free.
 std::optional<PairResult> decided_by_crossings(const PairInStep& pair, double latest);
 
-/// Does the clip prove the pair free until `latest`?
+/// True if the clip proves the pair free until `latest`.
 inline bool is_proven_free(const TimeInterval<double>& clip, double latest) {
   return clip.t_in > clip.t_out || clip.t_in > latest;
 }

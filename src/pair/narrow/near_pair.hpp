@@ -7,8 +7,8 @@
 
 namespace tamis {
 
-/// Is the pair within its separation at t=0, or beyond it by less than doubles can tell? REQUIRES: finite coordinates,
-/// also at t=1, a finite separation >= 0. Counts in `decided_by` which arithmetic had the last word.
+/// True if the pair is within its separation at t=0, or beyond it by less than doubles can tell. REQUIRES: finite
+/// coordinates, also at t=1, a finite separation >= 0. Counts in `decided_by` which arithmetic had the last word.
 bool may_start_within(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by);
 
 /// REQUIRES: finite coordinates, also at t=1.

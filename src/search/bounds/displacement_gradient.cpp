@@ -21,7 +21,7 @@ SymmetricMatrix product(const Columns& a, const Columns& b) {
   return {mean(0, 0), mean(1, 1), mean(2, 2), mean(0, 1), mean(0, 2), mean(1, 2)};
 }
 
-/// Are all eigenvalues above `bound`? All pivots of Gauss' elimination on m - bound I must be positive.
+/// True if all eigenvalues are above `bound`. All pivots of Gauss' elimination on m - bound I must be positive.
 bool exceed(const SymmetricMatrix& m, double bound) {
   const double first = m.xx - bound;
   if (!(first > 0)) return false;

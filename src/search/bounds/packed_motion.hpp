@@ -70,7 +70,7 @@ struct PackedMotion {
               const BoxFrame* of_scene = nullptr);
   /// Computes the residuals of the vertices `used`: their displacements less the motion `shared`.
   void assign_residuals(std::span<const Index> used, const SharedMotion& shared);
-  /// Does the vertex lie outside the frame?
+  /// True if the vertex lies outside the frame.
   bool is_outlier(Index vertex) const {
     return frame.has_outliers && box_vertices[static_cast<std::size_t>(vertex)].largest_coordinate() > 1;
   }

@@ -38,7 +38,8 @@ struct TreeView {
   int leaf_blocks;
   const CornerBlock* corners;
   BlockGroups groups;
-  /// For each block of levels[k]: does it hold a marked feature? Null: nothing is marked, all pairs are of interest.
+  /// For each block of levels[k]: whether it holds a marked feature. Null: nothing is marked, all pairs are of
+  /// interest.
   const std::uint8_t* marked[kMaxLevels];
   bool has_exclusions;  ///< by groups or marks
 };
@@ -93,7 +94,7 @@ class BlockTree {
   }
 
  private:
-  /// Is there a group without self-contact, and any other group?
+  /// True if there is a group without self-contact, and any other group.
   bool separates_groups() const {
     return groups_.group_count > 1 && std::ranges::find(no_self_contact_, std::uint8_t{1}) != no_self_contact_.end();
   }

@@ -42,7 +42,7 @@ struct Spread {
     quadratic += mixed_area(displacements, displacements);
   }
   double area_at(double t) const { return constant + t * linear + t * t * quadratic; }
-  /// Are the blocks twice as wide, of four times the area, before the end of the step?
+  /// True if the blocks are twice as wide, of four times the area, before the end of the step.
   bool doubles() const { return area_at(1) > kTwiceAsWide * constant; }
   /// The time at which they are. REQUIRES: doubles().
   double doubling_time() const {

@@ -46,7 +46,7 @@ class PairLists {
  public:
   PairList& operator[](PairKind kind) { return lists_[static_cast<std::size_t>(kind)]; }
   const PairList& operator[](PairKind kind) const { return lists_[static_cast<std::size_t>(kind)]; }
-  /// Is there any pair?
+  /// True if there is any pair.
   bool any() const;
   /// Moves all pairs of `other` here.
   void take(PairLists& other);

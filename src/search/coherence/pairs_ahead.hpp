@@ -33,9 +33,9 @@ class PairsAhead final : public KeptLists {
  private:
   bool plan_for_same_start(Question question, double length);
   bool plan_steps(Question question, const PredictedStep::Fit& fit);
-  /// Do the lists hold every pair that may touch until this time of the predicted step?
+  /// True if the lists hold every pair that may touch until this time of the predicted step.
   bool covers(float time) const { return listed_until_ == 1 || time <= listed_until_; }
-  /// Does the step follow the predicted one within the slack? Sets when_.
+  /// True if the step follows the predicted one within the slack. Sets when_.
   bool follows_prediction(const Step& step);
   double steps_to_foresee(double deviation) const;
 

@@ -67,7 +67,7 @@ class FeatureTrees {
  private:
   void refit_trees();
   void update_trees(LooksAt looks_at, Statistics& statistics);
-  /// Does the order of the trees serve the current step, and the question?
+  /// True if the order of the trees serves the current step, and the question.
   bool is_order_good(LooksAt looks_at);
   bool is_order_of_start() const { return axes_.time == 0; }
   OrderAxes best_axes(LooksAt looks_at) const;

@@ -27,7 +27,7 @@ class PairStream {
   /// The number of pairs still in the buffer.
   int waiting() const { return thread_.boxes.count; }
 
-  /// Can pairs of this kind still change the answer? Asked before each search and each leaf block.
+  /// True if pairs of this kind can still change the answer. Called before each search and each leaf block.
   virtual bool wants(PairKind) const { return true; }
   const Query& query() const { return *query_; }
   const SearchCounts& counts() const { return thread_.counts; }

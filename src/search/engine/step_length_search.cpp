@@ -87,7 +87,7 @@ void StepLengthSearch::search_trees(StepLengthQuery& asked) {
   for (const Sample& sample : std::span(samples).subspan(1)) streams_.search_trees(sample);
 }
 
-/// Has the search met many pairs a leaf block in `sample`, its first one?
+/// True if the search has met many pairs a leaf block in `sample`, its first one.
 bool StepLengthSearch::meets_many(const Sample& sample) const {
   std::uint64_t blocks = 0;
   workspace_.trees.for_each_kind([&](PairKind, const TreeView& a, const TreeView&) {

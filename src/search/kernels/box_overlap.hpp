@@ -90,7 +90,7 @@ class MovingBoxes {
     if (has_outliers_) widen(block, bounds);
   }
 
-  /// The cheap test: do the swept boxes meet? Their bounds are off by less than kLaterMargin each.
+  /// The cheap test: whether the swept boxes meet. Their bounds are off by less than kLaterMargin each.
   template <class A, class B>
   [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
     return largest_gap(a, b) <= FloatLanes(2 * kLaterMargin);

@@ -11,10 +11,10 @@ namespace tamis::TAMIS_ISA {
 
 /// How the features of two leaf blocks are tested against each other.
 enum class Test {
-  boxes,                ///< do their boxes meet by the search's cheap test?
-  some_time,            ///< do they meet at one time? Each of my features against sixteen of theirs
+  boxes,                ///< their boxes meet by the search's cheap test
+  some_time,            ///< they meet at one time; each of my features against sixteen of theirs
   some_time_of_theirs,  ///< the same, each of their features against sixteen of mine
-  reach,                ///< are they within reach of each other at t=0?
+  reach,                ///< they are within reach of each other at t=0
 };
 
 /// A leaf block of search.b that mine may meet.
@@ -54,7 +54,7 @@ class LeafRows {
     leaf_count_ += leaf.rows != 0;
   }
 
-  /// Is there no space for the leaves of another node?
+  /// True if there is no space for the leaves of another node.
   bool is_full() const { return leaf_count_ > kMostLeaves - kBlock; }
 
   /// Finds the pairs of all leaves that were appended, and empties the list of leaves.

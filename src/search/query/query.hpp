@@ -18,7 +18,7 @@ namespace tamis {
 enum class Question : std::uint8_t {
   all_contacts,
   earliest,
-  is_free,  ///< also in a search for intersections: is there none?
+  is_free,  ///< in a search for intersections: whether there are none
 };
 
 /// Refers to positions, radii, filter, rings, function and frame, which must outlive it.

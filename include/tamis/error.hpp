@@ -19,8 +19,8 @@ struct InvalidStep : Error {
   using Error::Error;
 };
 
-/// A path that does not fit the mesh, or breaks its promises. It gave a bound that is negative or not a number,
-/// positions that are not finite, or a vertex that deviates farther than its bound.
+/// A path that does not fit the mesh, or breaks its promises. A promise is broken by a bound that is negative or not a
+/// number, by positions that are not finite, or by a vertex that deviates farther than its bound.
 struct InvalidPath : Error {
   using Error::Error;
 };
@@ -35,8 +35,8 @@ struct Cancelled : Error {
   using Error::Error;
 };
 
-/// A question to a detector or world that is still answering another one: asked by another thread, or by a filter or
-/// path that the first question calls.
+/// A question to a detector or world that is still answering another one. The second question comes from another
+/// thread, or from a filter or path that the first question calls.
 struct Busy : Error {
   using Error::Error;
   Busy() : Error("another question is being answered: give each thread a detector, or a world, of its own") {}

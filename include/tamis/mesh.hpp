@@ -27,13 +27,13 @@ class Mesh {
   /// Returns the triangles as given.
   [[nodiscard]] std::span<const Face> faces() const { return faces_; }
   /// Returns every edge of a triangle and every loose edge, once; vertices ascending; sorted. An edge whose two indices
-  /// are equal is skipped, but its vertex is a point.
+  /// are equal is skipped. Its vertex is a point.
   [[nodiscard]] std::span<const Edge> edges() const { return edges_; }
   /// Returns the vertices that take part in contacts: used by a face or an edge, or loose; ascending.
   [[nodiscard]] std::span<const Index> points() const { return points_; }
 
-  /// Returns all triangles incident to an edge, which is given by its place in edges(): none for a rod, one for a
-  /// border edge, two within a manifold, any number otherwise.
+  /// Returns all triangles incident to an edge. The edge is given by its place in edges(). There are none for a rod,
+  /// one for a border edge, two within a manifold, any number otherwise.
   [[nodiscard]] std::span<const Index> faces_of_edge(Index edge) const {
     return row_of(faces_of_edges_, first_face_of_edge_, edge);
   }

@@ -13,8 +13,8 @@ namespace tamis {
 /// Instruction set of the hot loops; every one gives the same bits. `best`: the widest that this machine has.
 enum class Isa : std::uint8_t { best, baseline, avx2, avx512 };
 
-/// How a question counts pairs that touch at t=0: pairs whose distance there is at most the minimum separation plus
-/// both radii. Decided exactly for steps.
+/// How a question counts pairs that touch at t=0. These are pairs whose distance there is at most the minimum
+/// separation plus both radii. Decided exactly for steps.
 enum class AtStart : std::uint8_t {
   report,  ///< they are contacts at t=0, and no step may go at all
   /// A pair that touches at t=0 is a contact only when it touches again, after a time at which it does not touch. A
@@ -43,13 +43,13 @@ struct PairFilter {
   Index group_count = 1;
   /// group_count x group_count, symmetric, row-major; 0 skips the pairs of these two groups. Empty: none are skipped.
   std::vector<std::uint8_t> groups_may_touch = std::vector<std::uint8_t>();
-  /// Asked, after the groups, for each pair that may still be in the answer. False leaves the pair out. Must be safe to
-  /// call from several threads. Vertices as in Contact.
+  /// Called, after the groups, for each pair that may still be in the answer. False leaves the pair out. Must be safe
+  /// to call from several threads. Vertices as in Contact.
   std::function<bool(PairKind, const std::array<Index, 4>&)> accepts = nullptr;
-  /// Skips pairs whose features are fewer than `rings` edges apart, on the shortest way along the mesh from a vertex of
-  /// one to a vertex of the other. At least 1. 1 costs nothing: it skips pairs with a common vertex, which never count.
-  /// 2 also skips features that an edge connects, and so on. Tested after `accepts`, only for pairs that would be in
-  /// the answer.
+  /// Skips pairs whose features are fewer than `rings` edges apart. The distance is the shortest way along the mesh
+  /// from a vertex of one to a vertex of the other. At least 1. 1 costs nothing: it skips pairs with a common vertex,
+  /// which never count. 2 also skips features that an edge connects, and so on. Tested after `accepts`, only for pairs
+  /// that would be in the answer.
   int rings = 1;
   /// Skips pairs within one group (no self-contact). `group_of_vertex`: as above. Memory grows with the square of the
   /// number of groups. Returns such a filter. Throws InvalidOptions if a group is 2^31 - 1.
@@ -68,14 +68,14 @@ struct Options {
   /// d >= 0, in the unit of the positions: contact means Euclidean distance <= d at some time.
   double min_separation = 0;
   /// A radius >= 0 for each group of filter.group_of_vertex: half of its thickness. Two features are in contact when
-  /// their distance is at most `min_separation` plus both radii, for every question but intersections. A feature whose
-  /// vertices have different groups has the largest radius of its vertices. Empty: all zero. A question throws
-  /// InvalidOptions if its separation plus twice a radius is more than any double.
+  /// their distance is at most `min_separation` plus both radii. This holds for every question but intersections. A
+  /// feature whose vertices have different groups has the largest radius of its vertices. Empty: all zero. A question
+  /// throws InvalidOptions if its separation plus twice a radius is more than any double.
   std::vector<double> radii = {};
   Isa isa = Isa::best;
   PairFilter filter = PairFilter();
-  /// Asked again and again during a question, a thousand times a second or more. Must be safe to call from several
-  /// threads. Once it returns true, the question throws Cancelled; the detector answers the next question as usual.
+  /// Called again and again during a question, a thousand times a second or more. Must be safe to call from several
+  /// threads. Once it returns true, the question throws Cancelled. The detector answers the next question as usual.
   std::function<bool()> is_cancelled = nullptr;
 };
 

@@ -26,13 +26,13 @@ struct PairResult {
 /// Options of questions about pairs: one pair or a list, on a step or on a path.
 struct PairOptions {
   double min_separation = 0;  ///< d >= 0, in the unit of the positions: contact means Euclidean distance <= d
-  /// The latest time of interest, in [0,1]: a pair that is proven apart until then counts as free. The answers about
+  /// The latest time of interest, in [0,1]. A pair that is proven apart until then counts as free. The answers about
   /// other pairs do not depend on it.
   double latest = 1;
   double tolerance = PathOptions().tolerance;  ///< for a path, as in PathOptions
   int threads = 0;      ///< for a list, as in Options; 0: as many as the caller's oneTBB arena gives
   Isa isa = Isa::best;  ///< for a list; changes speed only
-  /// For a list or a path, as in Options: asked again and again. Once it returns true, the call throws Cancelled.
+  /// For a list or a path, as in Options: called again and again. Once it returns true, the call throws Cancelled.
   std::function<bool()> is_cancelled = nullptr;
 };
 
@@ -59,12 +59,12 @@ struct FeaturePair {
   std::array<Index, 4> vertices;
 };
 
-/// Decides a list of pairs: the narrow phase. Writes to `results[i]` the answer about pairs[i], bit for bit that of the
-/// function for one pair, many times faster. The positions may have any number of rows, the same at both ends; only
-/// rows that pairs name are read.
-/// Throws InvalidStep, naming the first such pair, if a kind does not exist, an index is not a row, or a
-/// coordinate is not finite; also unless there are as many results as pairs. Throws InvalidOptions on an option outside
-/// its range.
+/// Decides a list of pairs: the narrow phase. Writes the answer about pairs[i] to `results[i]`. The answer has the bits
+/// of the function for one pair. It takes a small part of the time. The positions may have any number of rows, the same
+/// at both ends. Only rows that pairs name are read.
+/// Throws InvalidStep, naming the first such pair, if a kind does not exist, an index is not a row, or a coordinate is
+/// not finite. Throws it also unless there are as many results as pairs. Throws InvalidOptions on an option outside its
+/// range.
 void narrow_phase(std::span<const FeaturePair> pairs, const Step& step, std::span<PairResult> results,
                   const PairOptions& = {});
 /// Decides a list of pairs.
@@ -72,7 +72,8 @@ void narrow_phase(std::span<const FeaturePair> pairs, const Step& step, std::spa
 /// Throws as above.
 [[nodiscard]] std::vector<PairResult> narrow_phase(std::span<const FeaturePair> pairs, const Step& step,
                                                    const PairOptions& = {});
-/// Decides pairs of one kind that are given as points: four, three or two a pair, one pair behind the other.
+/// Decides pairs of one kind that are given as points. A pair has four, three or two points, and one pair follows the
+/// other.
 /// Throws InvalidStep unless both ends have as many points as `results` needs.
 void narrow_phase(PairKind kind, std::span<const Point> start, std::span<const Point> end,
                   std::span<PairResult> results, const PairOptions& = {});

@@ -1,4 +1,5 @@
-// Curved motion: where every vertex is at each time of a step, and how far it deviates from straight pieces.
+// Curved motion. A path tells where every vertex is at each time of a step, and how far it deviates from straight
+// pieces.
 #pragma once
 #include <array>
 #include <functional>
@@ -21,7 +22,7 @@ struct CarriedPath;
 
 /// How all vertices move for t in [0,1], on continuous curves. Derive from it, or take a ready-made path
 /// (tamis/rigid_path.hpp, tamis/spline_path.hpp). All calls are const and may come from several threads at a time.
-/// Answers are only as true as the path's bounds: these must hold in spite of the path's own rounding.
+/// Answers are only as true as the path's bounds. These must hold in spite of the path's own rounding.
 class Path {
  public:
   virtual ~Path() = default;
@@ -37,14 +38,15 @@ class Path {
   /// points_at.
   virtual void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const;
 
-  /// Writes for each vertex a bound, >= 0, of its deviation: its Euclidean distance, at any time t of [from, to], from
-  /// ((to - t) x(from) + (t - from) x(to)) / (to - from), which goes along the chord at constant speed. The bound must
-  /// go to zero as the piece gets shorter, for smooth curves with the square of its length: |x''| (to - from)^2 / 8.
+  /// Writes for each vertex a bound, >= 0, of its deviation. The deviation is its Euclidean distance, at any time t of
+  /// [from, to], from ((to - t) x(from) + (t - from) x(to)) / (to - from). The latter point goes along the chord at
+  /// constant speed. The bound must go to zero as the piece gets shorter, for smooth curves with the square of its
+  /// length: |x''| (to - from)^2 / 8.
   virtual void deviations(double from, double to, std::span<const Index> vertices,
                           std::span<double> deviations) const = 0;
 
   /// Writes for each vertex a direction d, of any length, along which it moves at constant speed although its curve
-  /// bends: d.x(t) is linear in t, exactly, for d as stored, so deviations are orthogonal to d. Zeros where none is
+  /// bends. So d.x(t) is linear in t, exactly, for d as stored. So deviations are orthogonal to d. Zeros where none is
   /// known; by default all are zeros. A body that turns about a fixed axis has such a direction, its axis. Bodies that
   /// slide past each other on planes orthogonal to d are proven apart by it.
   virtual void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const;
@@ -63,11 +65,11 @@ struct CarriedPath {
 };
 
 /// Decides a vertex p against a face a b c that move on a path; `vertices` holds their numbers in the path.
-/// Returns the answer as vertex_face for straight motion: free is proven, and a certified contact has a bracket no
-/// wider than the tolerance. A pair that double-double arithmetic cannot decide (a touch without crossing, a crossing
-/// exactly on an edge) is an unresolved contact. With a separation a pair is unresolved if doubles cannot decide it
+/// Returns the answer as vertex_face for straight motion. Free is proven. A certified contact has a bracket no wider
+/// than the tolerance. A pair that double-double arithmetic cannot decide (a touch without crossing, a crossing exactly
+/// on an edge) is an unresolved contact. With a separation a pair is unresolved if doubles cannot decide it
 /// (docs/numerics/curves.md, "Curved motion").
-/// Throws InvalidPath if the path breaks its promises or has no such vertex, InvalidOptions on an option
+/// Throws InvalidPath if the path breaks its promises or has no such vertex. Throws InvalidOptions on an option
 /// outside its range.
 [[nodiscard]] PairResult vertex_face(const Path& path, const std::array<Index, 4>& vertices, const PairOptions& = {});
 /// Decides edge (0,1) against edge (2,3); otherwise the same.

@@ -88,7 +88,7 @@ class Positions {
   template <PointRange R>
   Positions(const R& points)
       : Positions(reinterpret_cast<const double*>(std::span(points).data()), index_count(std::span(points).size())) {}
-  /// Unless the matrix has three columns next to each other, the view has no data, and every question refuses it.
+  /// Unless the matrix has three columns next to each other, the view has no data. Then every question refuses it.
   template <RowMajorMatrix M>
   Positions(const M& matrix)
       : Positions(matrix.cols() == 3 && matrix.innerStride() == 1 ? matrix.data() : nullptr,
@@ -124,7 +124,7 @@ class Positions {
   std::ptrdiff_t stride() const { return stride_; }
 
  private:
-  /// The count, or -1 if it does not fit into Index: no mesh has -1 vertices, and every question refuses it.
+  /// The count, or -1 if it does not fit into Index. No mesh has -1 vertices, so every question refuses it.
   static constexpr Index index_count(std::size_t count) {
     return count <= static_cast<std::size_t>(std::numeric_limits<Index>::max()) ? static_cast<Index>(count) : -1;
   }

@@ -1,4 +1,4 @@
-// Answers about a mesh in one pose: which features are near each other, and which edges pass through triangles.
+// Answers about a mesh in one pose: pairs of near features, and edges that pass through triangles.
 #pragma once
 #include <array>
 
@@ -18,8 +18,8 @@ struct NearPair {
   /// weights_of is exactly 0 for the vertices that have no share in these points. Of a face one vertex has a share if
   /// the point is a corner, two if it is on the border, three if it is inside.
   double u, v;
-  /// Unit vector from the second feature's closest point to the first's. If they touch: along the normal if the common
-  /// point is inside a face or inside two edges, else zero.
+  /// Unit vector from the second feature's closest point to the first's. If they touch, it is along the normal where
+  /// the common point is inside a face or inside two edges, else zero.
   Point direction;
 };
 
@@ -27,8 +27,8 @@ struct NearPair {
 struct Intersection {
   Edge edge;  ///< vertex indices, ascending
   Face face;  ///< vertex indices, in the mesh's order
-  /// The first common point along the edge, from edge[0] on: its parameter on the edge lies in [s_lower, s_upper], and
-  /// the point is (1-u-v) f0 + u f1 + v f2, rounded.
+  /// The first common point along the edge, from edge[0] on. Its parameter on the edge lies in [s_lower, s_upper]. The
+  /// point is (1-u-v) f0 + u f1 + v f2, rounded.
   double s_lower, s_upper;
   double u, v;
 };

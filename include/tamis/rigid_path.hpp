@@ -15,8 +15,8 @@ struct Pose {
 };
 
 /// Convert a rotation matrix (given by its rows) or a quaternion (w x y z), as engines keep them, also in floats. Both
-/// are rotations with rounding errors: the nearest rotation is taken. The rotation vector is rounded to doubles: points
-/// are off by less than 1e-15 of their distance from the origin of the body.
+/// are rotations with rounding errors: the nearest rotation is taken. The rotation vector is rounded to doubles. So
+/// points are off by less than 1e-15 of their distance from the origin of the body.
 /// Return the pose.
 /// Throw InvalidPath if they are off by more than rounding: an entry of R R^T - I, or |q|^2 - 1, beyond 1e-4; a
 /// reflection; numbers that are not finite.
@@ -33,7 +33,7 @@ struct RigidLink {
 /// are given.
 using RigidChain = std::vector<RigidLink>;
 
-/// Makes a chain of one link: rotation vector and position are linear in t, from one pose to the other.
+/// Makes a chain of one link. Rotation vector and position are linear in t, from one pose to the other.
 /// Returns the chain.
 [[nodiscard]] RigidChain interpolated_chain(const Pose& start, const Pose& end);
 /// Makes a chain that turns from `start` at constant speed about the fixed axis of `turn`, by |turn| radians. Meanwhile
@@ -42,25 +42,26 @@ using RigidChain = std::vector<RigidLink>;
 /// distance from the body's origin, and of the body's distance from the world's origin. Returns a chain of two links.
 [[nodiscard]] RigidChain turned_chain(const Pose& start, const Point& turn, const Point& end_position,
                                       const Point& center = {0, 0, 0});
-/// Makes a chain from one pose to the other by the shorter turn about a fixed axis, at constant speed (slerp), while
-/// `center` goes straight. The turn is computed in doubles: the end is reached within some 1e-15 of the body's size.
+/// Makes a chain from one pose to the other by the shorter turn about a fixed axis, at constant speed (slerp).
+/// Meanwhile `center` goes straight. The turn is computed in doubles. So the end is reached within some 1e-15 of the
+/// body's size.
 /// Returns a chain of two links.
 [[nodiscard]] RigidChain chain_between(const Pose& start, const Pose& end, const Point& center = {0, 0, 0});
 /// Computes the pose of a chain's body at `time`, for example after a step that is safe until then.
 /// Returns for one link its pose, linear in time. For more links a pose that turns by at most pi, off by some 1e-15.
 /// Throws InvalidPath on numbers that are not finite, and on a time outside [0,1].
 [[nodiscard]] Pose pose_at(const RigidChain& chain, double time);
-/// Bounds the deviation of engines that blend quaternions and normalize them (nlerp): they go the way of
+/// Bounds the deviation of engines that blend quaternions and normalize them (nlerp). They go the way of
 /// `chain_between` at another speed. A motion that is free by `chain_between`, with this deviation as additional
 /// separation, is free by nlerp.
-/// Returns a factor: no point is ever farther from its place by `chain_between` than the factor times the point's
+/// Returns a factor. No point is ever farther from its place by `chain_between` than the factor times the point's
 /// distance from the center.
 /// Throws InvalidPath on numbers that are not finite.
 [[nodiscard]] double nlerp_deviation(const Pose& start, const Pose& end);
 
-/// Bodies that each move on a chain of links; a vertex may at the same time go straight in its body's frame. Positions
+/// Bodies that each move on a chain of links. A vertex may at the same time go straight in its body's frame. Positions
 /// use rotations rounded to doubles, with a proven error. Where that is too coarse, interval arithmetic in doubles or
-/// double-double encloses them, sine and cosine by their alternating series. Deviations: |x''| (to - from)^2 / 8
+/// double-double encloses them. Sine and cosine come from their alternating series. Deviations: |x''| (to - from)^2 / 8
 /// (docs/numerics/curves.md, "Curved motion").
 class RigidPath final : public Path {
  public:
@@ -79,10 +80,10 @@ class RigidPath final : public Path {
                  std::span<double> errors) const override;
   void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const override;
   void deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const override;
-  /// The axis of a vertex' body, if the rotation vectors of its chain, from the outermost link to the last one that
-  /// changes, are exactly parallel; else zeros.
+  /// The axis of a vertex' body, or zeros. There is an axis if the rotation vectors of its chain, from the outermost
+  /// link to the last one that changes, are exactly parallel.
   void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const override;
-  /// The frame of the last link that the vertices' bodies share: links are shared as long as their numbers are equal,
+  /// The frame of the last link that the vertices' bodies share. Links are shared as long as their numbers are equal,
   /// from the outermost one on. Also returned if no vertex moves.
   std::optional<CarriedPath> carried(std::span<const Index> vertices) const override;
 

@@ -8,7 +8,7 @@
 namespace tamis {
 
 /// The common base of BezierPath and CatmullRomPath. x(t) is a sum of given points with weights that depend on the time
-/// alone. [0,1] has pieces of equal length, on each of which |x''| has a bound.
+/// alone. [0,1] has pieces of equal length. On each piece |x''| has a bound.
 class SplinePath : public Path {
  public:
   Index vertex_count() const override;
@@ -46,8 +46,8 @@ class BezierPath final : public SplinePath {
   Weights weights_at(double time) const override;
 };
 
-/// Through frames at equal distances of time, smoothly: a cubic between two frames, with the slope (next - previous) /
-/// 2 at each frame. At the first and the last frame it is the slope of the chord (Catmull, Rom 1974).
+/// Goes smoothly through frames at equal distances of time. Between two frames it is a cubic, with the slope (next -
+/// previous) / 2 at each frame. At the first and the last frame it is the slope of the chord (Catmull, Rom 1974).
 class CatmullRomPath final : public SplinePath {
  public:
   /// `frames[i][v]`: where vertex v is at t = i / (frames - 1); at least 2. Throws InvalidPath.

@@ -57,8 +57,9 @@ struct PrecisionCount {
 struct Statistics {
   Isa isa = Isa::baseline;  ///< the one that ran, never `best`
   int threads = 1;
-  /// In pipeline order. The first stage counts the pairs of features whose boxes meet, and some more, which depend on
-  /// earlier questions. If pairs were listed ahead, it counts the pairs of that list that the question decides.
+  /// In pipeline order. The first stage counts the pairs of features whose boxes meet. It counts some more pairs, which
+  /// depend on earlier questions. If pairs were listed ahead, it counts the pairs of that list that the question
+  /// decides.
   std::vector<StageCount> stages;
   PrecisionCount decided_by;
   Seconds seconds;
@@ -68,7 +69,7 @@ struct Statistics {
   std::uint64_t nodes_visited = 0;  ///< nodes of the trees, also to list pairs ahead; 0 if pairs had been listed
   bool rebuilt = false;             ///< the hierarchy was built, not refitted
   /// Memory that the detector holds: hierarchy, buffers, contacts, groups, rings. With more than one thread it differs
-  /// from run to run, as each thread's buffers grow with that thread's share of the work.
+  /// from run to run. Each thread's buffers grow with that thread's share of the work.
   std::uint64_t memory_bytes = 0;
 };
 

@@ -1,4 +1,4 @@
-// One time step: positions at its start and its end, as two views; nothing is copied.
+// One time step: positions at its start and its end, as two views. Nothing is copied.
 #pragma once
 #include "tamis/positions.hpp"
 

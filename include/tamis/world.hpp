@@ -18,13 +18,13 @@ namespace tamis {
 
 struct BodyShape;
 
-/// A mesh with its points at rest, in the body's own frame, and the hierarchy over them: made once, then shared by any
+/// A mesh with its points at rest, in the body's own frame, and the hierarchy over them. Made once, then shared by any
 /// number of bodies. Copies share all of it. Moving copies: the source keeps it.
 class Shape {
  public:
   /// Builds the hierarchy. `points`: one row a vertex. `isa`: the instruction set; changes speed only, as in Options.
-  /// Throws InvalidMesh unless there is one point a vertex and the points of Mesh::points() are finite, InvalidOptions
-  /// if this machine lacks the instruction set.
+  /// Throws InvalidMesh unless there is one point a vertex and the points of Mesh::points() are finite. Throws
+  /// InvalidOptions if this machine lacks the instruction set.
   Shape(Mesh mesh, std::vector<Point> points, Isa isa = Isa::best);
   Shape(const Shape&) = default;
   Shape& operator=(const Shape&) = default;
@@ -50,8 +50,8 @@ struct Static {
 /// `chain_between`). If no rotation of the chain changes, each vertex goes straight, from its start rounded to doubles
 /// to its end rounded to doubles. In one step the links together turn by no more than 4096 radians. No rotation vector,
 /// not even of a static body, is longer than 2^32 (docs/worlds.md, "How far a body may turn"). Bodies whose chains
-/// begin with equal links move relative to each other by the links behind these alone. Give bodies that one gripper
-/// holds its links, then a constant one each.
+/// begin with equal links move relative to each other by the links behind these alone. To a body that a gripper holds,
+/// give the gripper's links, then a constant one.
 struct Rigid {
   RigidChain chain;
 };
@@ -66,9 +66,9 @@ using BodyMotion = std::variant<Static, Rigid, Deforming>;
 /// The number of a body in its world: 0, 1, 2, ... in the order of World::add. Never given twice.
 using BodyId = Index;
 
-/// A contact of two bodies. Its vertices are numbered in the bodies' own meshes: first the vertices of the feature of
-/// `bodies[0]`, then of the feature of `bodies[1]`. The features are in the order of Contact. Of two edges the edge of
-/// the body with the smaller number is first.
+/// A contact of two bodies. Its vertices are numbered in the bodies' own meshes. They are first the vertices of the
+/// feature of `bodies[0]`, then of the feature of `bodies[1]`. The features are in the order of Contact. Of two edges
+/// the edge of the body with the smaller number is first.
 struct BodyContact : Contact {
   std::array<BodyId, 2> bodies;
 };
@@ -122,17 +122,18 @@ class World {
   /// Returns their numbers.
   /// Throws as `add`.
   std::vector<BodyId> add_many(const Shape& shape, std::vector<BodyMotion> motions);
-  /// Tells a body its motion from now on, of the same kind or another.
-  /// Throws as `add`. All functions that name a body throw InvalidOptions if the world never had it, or has it no more.
+  /// Gives a body its motion from now on, of the same kind or another.
+  /// Throws as `add`. All functions that name a body throw InvalidOptions if the world never had it, or no longer has
+  /// it.
   void move(BodyId body, BodyMotion motion);
-  /// Tells each of some bodies its motion, all or none.
-  /// Throws as `move`, and InvalidOptions if a body is named twice, or if there are not as many motions.
+  /// Gives each of some bodies its motion, all or none.
+  /// Throws as `move`. Throws InvalidOptions if a body is named twice, or if there are not as many motions.
   void move_many(std::span<const BodyId> bodies, std::vector<BodyMotion> motions);
   /// Returns the body's last motion; valid until the next change of the world.
   /// Throws InvalidOptions as `move`.
   [[nodiscard]] const BodyMotion& motion(BodyId body) const;
-  /// Computes where a body's vertices are at `time` in [0,1] of its motion, on the curves that questions are about: at
-  /// a contact's time, to draw the body or to compute a response.
+  /// Computes where a body's vertices are at `time` in [0,1] of its motion, on the curves that questions are about.
+  /// Call it for a contact's time, to draw the body or to compute a response.
   /// Returns the points and their error. If the error is 0 these are the very points.
   /// Throws InvalidOptions on a time outside [0,1].
   [[nodiscard]] BodyPoints points_at(BodyId body, double time) const;
@@ -143,28 +144,28 @@ class World {
   /// Throws InvalidOptions as `move`.
   void set_enabled(BodyId body, bool is_enabled);
   /// Sets half of a body's thickness, in the unit of the positions; 0 at first. Two bodies are in contact where their
-  /// distance is at most the minimum separation plus both radii, and a deforming body with itself plus twice its own,
-  /// for every question but `intersections`.
+  /// distance is at most the minimum separation plus both radii. A deforming body counts its radius twice against
+  /// itself. Radii count in every question but `intersections`.
   /// Throws InvalidOptions if it is negative or not finite. A question throws InvalidOptions if the sum is more than
   /// any double.
   void set_radius(BodyId body, double radius);
-  /// Sets whether two bodies, or a deforming body with itself (a == b), may touch. At first all may, except a body with
-  /// itself that does not deform.
-  /// Throws InvalidOptions to allow that exception.
+  /// Sets whether two bodies, or a deforming body with itself (a == b), may touch. At first all may. Only a body that
+  /// does not deform may not touch itself.
+  /// Throws InvalidOptions to allow the latter.
   void set_may_touch(BodyId a, BodyId b, bool may_touch);
   /// Sets whether each of some pairs may touch, all or none.
   /// Throws as for one pair.
   void set_may_touch(std::span<const std::array<BodyId, 2>> pairs, bool may_touch);
 
-  /// Finds all contacts. If one of two bodies turns, its contacts are answers about a Path (Detector): some may be
-  /// unresolved, PathOptions::tolerance counts, and AtStart::ignore leaves a pair out until the first of the times in
+  /// Finds all contacts. If one of two bodies turns, its contacts are answers about a Path (Detector). Some may be
+  /// unresolved, and PathOptions::tolerance counts. AtStart::ignore skips a pair until the first of the times in
   /// docs/worlds.md at which it is proven apart.
   /// Returns the contacts sorted by kind, then bodies and vertices in the order of the features.
   /// Throws InvalidOptions, and with AtStart::fail InvalidStep.
   [[nodiscard]] std::vector<BodyContact> contacts(const PathOptions& = {});
-  /// Finds the first contact of each pair of bodies, and of each deforming body with itself: of all `contacts` of the
-  /// pair the one with the least toi_lower, and of several such the first by kind, then bodies and vertices. Costs
-  /// about as much as `earliest` where the same bodies meet, not as much as their contacts.
+  /// Finds the first contact of each pair of bodies, and of each deforming body with itself. Of all `contacts` of the
+  /// pair this is the one with the least toi_lower. Of several such it is the first by kind, then bodies and vertices.
+  /// Costs about as much as `earliest` where the same bodies meet, not as much as their contacts.
   /// Returns one contact for each pair that touches, sorted by its smaller body, then by its greater one.
   /// Throws as `contacts`.
   [[nodiscard]] std::vector<BodyContact> first_contacts(const PathOptions& = {});
@@ -172,8 +173,8 @@ class World {
   /// Returns a bracket of its time.
   /// Throws as `contacts`.
   [[nodiscard]] EarliestBodyContact earliest(const PathOptions& = {});
-  /// Finds the first contact of each of many motions of some bodies, while all others move as they were told: for
-  /// planners, which move from configuration to configuration. `motions`: for the first motion one entry for each of
+  /// Finds the first contact of each of many motions of some bodies, while all others move as they were told. Planners
+  /// need this: they move from configuration to configuration. `motions`: for the first motion one entry for each of
   /// `bodies`, in their order, then for the second, and so on. Threads share the motions, each with a copy of the
   /// world's bodies. Afterwards the bodies have the motions of before. Returns an answer for each motion, with the bits
   /// that it has alone. Throws InvalidOptions if a body does not exist or is named twice, or if the number of motions
@@ -185,8 +186,9 @@ class World {
   [[nodiscard]] bool is_free(const PathOptions& = {});
 
   /// Finds pairs of features within `distance` plus both radii where all bodies are at t=0, rounded to doubles. This
-  /// question and the next two skip two bodies that are both Static, even where they pass through each other, unless
-  /// PoseOptions::include_static is set. Set it once, before the first step. Returns the pairs sorted as contacts.
+  /// question and the next two skip two bodies that are both Static, even where they pass through each other.
+  /// PoseOptions::include_static includes them. Set it once, before the first step. Returns the pairs sorted as
+  /// contacts.
   /// Throws InvalidOptions unless `distance` is finite and >= 0.
   [[nodiscard]] std::vector<BodyNearPair> pairs_within(double distance, const PoseOptions& = {});
   /// Finds edges that pass through triangles at t=0.
@@ -196,13 +198,12 @@ class World {
   [[nodiscard]] bool has_intersection(const PoseOptions& = {});
 
   /// Finds how far all bodies may go, as Detector::safe_step. If one of two bodies turns, PathOptions::tolerance
-  /// counts, and a pair that starts nearer to its separation than doubles can tell ends the step at once.
+  /// counts. A pair that starts nearer to its separation than doubles can tell ends the step at once.
   /// Returns a bracket of the time.
   /// Throws InvalidOptions unless 0 <= keep < 1, and as `contacts`.
   [[nodiscard]] BodyStep safe_step(double keep = 0.1, const PathOptions& = {});
 
-  /// Returns the cost of the last question: sums over the detectors that it asked; `memory_bytes` does not count
-  /// shapes.
+  /// Returns the cost of the last question: sums over the detectors that it used. `memory_bytes` does not count shapes.
   /// Throws Busy while a question is answered.
   [[nodiscard]] const Statistics& statistics() const;
 

@@ -29,7 +29,7 @@ class Arena {
   static int threads_here() { return tbb::this_task_arena::max_concurrency(); }
 
  private:
-  /// The most threads to request from oneTBB: beyond these it warns on stderr, and a million exhausts its memory.
+  /// The most threads to request from oneTBB. Beyond these it warns on stderr, and a million exhausts its memory.
   static int most_threads() {
     return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
   }

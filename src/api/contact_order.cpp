@@ -17,8 +17,8 @@ constexpr std::size_t kContactsPerPart = 4096, kBucketsPerPart = 512;
 
 }  // namespace
 
-/// A counting sort into one bucket for each kind and first vertex, then a sort of each small bucket by the other
-/// vertices. Entries hold these vertices and the contact's place: contacts are read once and moved once.
+/// A counting sort into one bucket for each kind and first vertex. Then each small bucket is sorted by the other
+/// vertices. Entries hold these vertices and the contact's place. So contacts are read once and moved once.
 void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count, const std::function<void()>& pause) {
   if (contacts.size() <= at(vertex_count) / kVerticesPerContact)
     return std::sort(contacts.begin(), contacts.end(), comes_before);

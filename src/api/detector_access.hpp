@@ -1,5 +1,5 @@
-// The library's own access to a detector: to make one with another engine (validation, order and curved motion are the
-// same), to cut a path at given times, and to reach its state.
+// The library's own access to a detector. It makes one with another engine (validation, order and curved motion are the
+// same), cuts a path at given times, and reaches a detector's state.
 #pragma once
 #include <functional>
 #include <span>

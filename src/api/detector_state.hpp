@@ -39,7 +39,7 @@ struct Detector::State {
     find(motion, asked, Question::earliest, &each_of);
     return found.contacts();
   }
-  /// AtStart::fail needs the earliest contact: any other does not tell whether a pair touches at the start.
+  /// AtStart::fail needs the earliest contact. Any other does not tell whether a pair touches at the start.
   bool is_free(const auto& motion, const auto& asked) {
     if (asked.at_start == AtStart::fail) return !earliest(motion, asked).contact;
     find(motion, asked, Question::is_free);
@@ -52,7 +52,7 @@ struct Detector::State {
   TruncatedStep truncate(const Step& step, double keep, const QueryOptions& asked, StoredType stored);
   const std::vector<NearPair>& find_near(const Positions& positions, double distance);
   /// All intersections, or for `is_free` some, if there are any. `by_accepts`: only those that `accepts` of the
-  /// options' filter accepts, which is called with a vertex of the edge, and the face.
+  /// options' filter accepts. It is called with a vertex of the edge, and the face.
   const std::vector<Intersection>& find_intersections(const Positions& positions, Question question,
                                                       bool by_accepts = false);
 
@@ -82,8 +82,8 @@ struct Detector::State {
   /// Throws InvalidOptions, InvalidStep.
   Query validated_query(const Step& step, const QueryOptions& asked, Question question = Question::all_contacts,
                         const BodyPairs* each_of = nullptr);
-  /// Finds contacts, which `found` holds then. Of `earliest` the first, which is returned, or with `each_of` the first
-  /// contacts of the pairs of bodies. Throws InvalidOptions, InvalidStep, InvalidPath.
+  /// Finds contacts, which `found` holds then. For `earliest` it holds the first, which is returned, or with `each_of`
+  /// the first contacts of the pairs of bodies. Throws InvalidOptions, InvalidStep, InvalidPath.
   EarliestContact find(const Step& step, const QueryOptions& asked, Question question,
                        const BodyPairs* each_of = nullptr);
   EarliestContact find(const CutPath& path, const PathOptions& asked, Question question,

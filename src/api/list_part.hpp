@@ -1,4 +1,4 @@
-// Decides one thread's part of a list of pairs: in lanes, then one by one the pairs that lanes leave undecided.
+// Decides one thread's part of a list of pairs in lanes. Pairs that lanes leave undecided are decided one by one.
 #pragma once
 #include <span>
 

@@ -1,4 +1,4 @@
-// Sentences about pairs: their features, and what may be wrong with a pair that names rows of a step.
+// Sentences about pairs: their features, and the faults that a pair which names rows of a step may have.
 #pragma once
 #include <string>
 
@@ -8,7 +8,7 @@ namespace tamis {
 
 /// "vertex 3 and face 0 1 2". Vertices as in Contact. REQUIRES: `kind` is a PairKind.
 std::string features_text(PairKind kind, const std::array<Index, 4>& vertices);
-/// The sentence on a number that is no PairKind.
+/// The sentence on a number that is not a PairKind.
 std::string no_such_kind(PairKind kind);
 /// The sentence on a point of a pair. `when`: "start" or "end".
 std::string not_finite(std::size_t point, const char* when);

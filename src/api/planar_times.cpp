@@ -19,7 +19,7 @@ struct Approach {
   bool needs_room() const { return speed > 0 || rounding > 0; }
 };
 
-/// The first feature's share of the gap: the faster feature gets more, a feature that needs no room gets none.
+/// The first feature's share of the gap. The faster feature gets more. A feature that needs no room gets none.
 double first_share(const Approach& first, const Approach& second) {
   if (first.needs_room() != second.needs_room()) return first.needs_room() ? 1 : 0;
   const double speeds = first.speed + second.speed;

@@ -1,6 +1,5 @@
-// How far may each vertex of a pair go by itself? Planes between the two features, placed at one time, stop each vertex
-// before it leaves its feature's side. Computed in doubles without proof: api/truncation.hpp proves the resulting
-// step.
+// How far each vertex of a pair may go by itself. Planes between the two features, placed at one time, stop each vertex
+// before it leaves its feature's side. Computed in doubles without proof: api/truncation.hpp proves the resulting step.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -13,7 +12,7 @@
 namespace tamis {
 
 /// The fractions of its distance that a pair keeps when a step is truncated: `keep` in the end, and `together`, a
-/// little more, while all vertices go together. Vertices that go on alone use the difference.
+/// little more, while all vertices go together. Vertices that continue alone use the difference.
 struct KeptFractions {
   /// REQUIRES: 0 < kept < 1.
   explicit KeptFractions(double kept) : keep(kept), together(std::min(1.25 * kept, kept + 0.25 * (1 - kept))) {

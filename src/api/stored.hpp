@@ -22,7 +22,7 @@ inline std::vector<Point> rounded(const Positions& positions, StoredType stored)
   return points;
 }
 
-/// An upper bound of the rounding of a coordinate between `start` and `end`: half a unit in the last place. 0 for
+/// An upper bound of the rounding of a coordinate between `start` and `end`: half a unit in the last place. Zero for
 /// doubles: the margin of KeptFractions::between_planes covers their rounding.
 inline double max_rounding(double start, double end, StoredType stored) {
   if (stored == StoredType::float64) return 0;

@@ -16,10 +16,11 @@
 namespace tamis {
 namespace {
 
-/// After the common time no vertex goes farther than this many mean edges: it could meet too many pairs. If a part of
-/// the scene is much finer than the mean, such as a cloth above a terrain, each body's own mean edges count.
+/// After the common time no vertex goes farther than this many mean edges. Farther away it could meet too many pairs.
+/// If a part of the scene is much finer than the mean, such as a cloth above a terrain, each body's own mean edges
+/// count.
 constexpr double kFarthestInMeanEdges = 0.25, kMuchFiner = 0.25;
-/// Rounds in which only broken pairs get planes. In a stack each body stops one round after the one below; recorded
+/// Rounds in which only broken pairs get planes. In a stack each body stops one round after the one below. Recorded
 /// steps take 3 to 20.
 constexpr int kRounds = 32;
 /// Rounds in which all pairs have planes, and only vertices of broken pairs go back. After these rounds all vertices go

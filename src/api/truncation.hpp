@@ -1,9 +1,9 @@
-// Truncates a step vertex by vertex. All vertices go together until a common time, up to which every pair keeps a
-// little more of its distance than it must. From there each goes on alone. The engine then finds the pairs that do not
-// keep their distance on the straight motion to the new positions, and planes between the features of each
-// (api/planar_times.hpp) stop its vertices, round by round until no such pair is left. If the rounds do not end,
-// each vertex goes alone from the start, with planes between all pairs that could meet. All positions asked about are
-// numbers that the caller can store.
+// Truncates a step vertex by vertex. All vertices go together until a common time. Up to that time every pair keeps a
+// little more of its distance than it must. From there each continues alone. The engine then finds the pairs that do
+// not keep their distance on the straight motion to the new positions. Planes between the features of each
+// (api/planar_times.hpp) stop its vertices. This repeats in rounds until no such pair is left. If the rounds do not
+// end, each vertex goes alone from the start, with planes between all pairs that could meet. All positions that are
+// tested are numbers that the caller can store.
 #pragma once
 #include <atomic>
 #include <vector>
@@ -26,7 +26,7 @@ class Truncation {
 
  private:
   void begin(double common_time);
-  /// Lets no vertex go on alone for more than a part of an edge.
+  /// Lets no vertex continue alone for more than a part of an edge.
   void stop_far_motions();
   void begin_on_own_sides();
   /// Sets the vertex' position in result_ from its fraction of the step.
@@ -34,14 +34,14 @@ class Truncation {
   /// Lets the vertex go no farther than to `time`.
   void stop(Index vertex, double time);
   /// The pairs that break their fraction on the step to result_: their vertices must stop earlier. Pairs that were
-  /// asked about before and have not changed since are not asked again. Clears result_.is_free if a pair starts within
-  /// its separation.
+  /// tested before and have not changed since are not tested again. Clears result_.is_free if a pair starts within its
+  /// separation.
   std::vector<StepLimit> broken_pairs();
-  /// Must a vertex of the pair stop earlier? Sets `some_start_within` if the pair starts within its separation and is
-  /// not ignored for that. Several threads may call it. REQUIRES: the pair's time is in [0,1). REQUIRES (not checked:
-  /// history): the pair is of the engine's answer.
+  /// True if a vertex of the pair must stop earlier. Sets `some_start_within` if the pair starts within its separation
+  /// and is not ignored for that. Several threads may call it. REQUIRES: the pair's time is in [0,1). REQUIRES (not
+  /// checked: history): the pair is of the engine's answer.
   bool is_broken(const StepLimit& pair, std::atomic<bool>& some_start_within) const;
-  /// Does a vertex of the pair go on after the common time?
+  /// True if a vertex of the pair continues after the common time.
   bool goes_on_alone(const StepLimit& pair) const;
   template <class Pair>
   double separation_of(const Pair& pair) const {

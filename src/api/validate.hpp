@@ -27,7 +27,7 @@ void validate_layout(const Step& step);
 void validate(const QueryOptions& options);
 /// The same for a path: throws unless the tolerance is in (0, 1], too.
 void validate(const PathOptions& options);
-/// Throws InvalidStep: the start of a used vertex is not a number of kind `stored`, or its end, rounded to such
+/// Throws InvalidStep if the start of a used vertex is not a number of kind `stored`, or if its end, rounded to such
 /// numbers, is infinite.
 void validate_stored(const Step& step, const Mesh& mesh, StoredType stored);
 

@@ -1,4 +1,4 @@
-// One question at a time: a second one is refused at once, before the two can spoil each other's answers.
+// One question at a time. A second one is refused at once, before the two can spoil each other's answers.
 #pragma once
 #include <atomic>
 

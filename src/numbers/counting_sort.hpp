@@ -18,7 +18,7 @@ namespace tamis {
 /// Finds where items go when they are sorted by their bucket, a number each. Keeps its counters from call to call.
 class CountingSort {
  public:
-  /// Calls put(i, place) once for each i in [0, count). The places are those in [0, count), each once. They ascend by
+  /// Calls put(i, place) once for each i in [0, count). Each place in [0, count) comes once. Places ascend by
   /// bucket_of(i), in [0, buckets), then by i. The threads of the caller's oneTBB arena call all three functions.
   /// `pause` is called now and then; an exception that it throws ends the sort. REQUIRES: count < 2^32.
   template <class BucketOf, class Put>

@@ -1,12 +1,12 @@
 // Double-double numbers: the unevaluated sum of two doubles, about 106 bits. Used where doubles are too coarse, on
-// curves and in straight motion, by the same templates. No FMA: a product is split as Dekker does, so every machine
+// curves and in straight motion, by the same templates. No FMA. A product is split as Dekker does, so every machine
 // gives the same bits.
 //
 // Error bounds after Joldes, Muller, Popescu, Tight and rigorous error bounds for basic building blocks of double-word
 // arithmetic (ACM TOMS 44, 2017). With u = 2^-53 they are: sum 3 u^2 / (1 - 4 u) (theorem 3.1), with a double 2 u^2
 // (algorithm 4), product 7 u^2 (theorem 5.1), all relative. The quotient is derived below. unit_roundoff is 2^-103 = 8
 // u^2. They hold where nothing overflows or underflows. The solver's numbers are below 2^7. An underflow costs each of
-// the 17 operations of a split product at most 2^-1075, which `underflow` covers.
+// the 17 operations of a split product at most 2^-1075. The term `underflow` covers it.
 #pragma once
 #include "numbers/assert.hpp"
 #include "numbers/error_bounds.hpp"
@@ -23,7 +23,7 @@ struct DoubleDouble {
 
   DoubleDouble() = default;
   constexpr DoubleDouble(double value) : high(value) {}
-  /// REQUIRES: `high_part` is the sum of both, rounded. Not checked below 2^-968: there the 106 bits of a product reach
+  /// REQUIRES: `high_part` is the sum of both, rounded. Not checked below 2^-968. There the 106 bits of a product reach
   /// below the smallest double. Rounding may make a low part too large by half a smallest double.
   constexpr DoubleDouble(double high_part, double low_part) : high(high_part), low(low_part) {
     TAMIS_ASSERT(high + low == high || abs_of(high) < 0x1p-968 || !(high - high == 0 && low - low == 0));

@@ -36,7 +36,7 @@ DyadicCell between(const DyadicCell& a, const DyadicCell& b);
 /// REQUIRES: 0 <= n <= 2^k.
 double lower_end(const DyadicCell& cell);
 
-/// Is n / 2^k a double?
+/// True if n / 2^k is a double.
 bool lower_end_is_double(const DyadicCell& cell);
 
 }  // namespace tamis

@@ -1,6 +1,6 @@
-// Every rounding-error constant of the double-precision culling and solving, with its derivation in short.
-// Docs/numerics/one-pair.md has the long form. Unit: the roundoff u of the number type, times the product of the sizes
-// of the vectors involved.
+// Every rounding-error constant of the double-precision culling and solving, with its derivation in short. The long
+// form is in docs/numerics/one-pair.md. Unit: the roundoff u of the number type, times the product of the sizes of the
+// vectors involved.
 //
 // A pair is three moving vectors e, f, d. Their sizes E, F, D are the largest |component| at t=0 and t=1. All are
 // scaled by a power of two so the largest size is below 1 (pair/motion/pair_motion.hpp).
@@ -10,7 +10,7 @@
 
 namespace tamis::error_bounds {
 
-/// u of a number type: a sum or a product is off by at most u of itself. Each type specializes it beside its
+/// The u of a number type. A sum or a product is off by at most u of itself. Each type specializes it beside its
 /// operations. A type without its own u must not compile: it would pass for double.
 template <class T>
 inline constexpr double unit_roundoff = [] {
@@ -21,8 +21,8 @@ template <>
 inline constexpr double unit_roundoff<double> = 0x1p-53;
 inline constexpr double kRoundoff = unit_roundoff<double>;
 
-/// Added to every bound: products that underflow are wrong by at most 2^-1075 each, after fewer than 2^10
-/// operations on numbers below 2^7.
+/// Added to every bound. Products that underflow are wrong by at most 2^-1075 each, after fewer than 2^10 operations on
+/// numbers below 2^7.
 template <class T>
 inline constexpr double underflow = 0x1p-1000;
 
@@ -39,7 +39,7 @@ inline constexpr double kInput = 8;
 // Coplanarity K = d.(e x f), unit D E F. N0, N2: 4 kInput + 4 = 36, |N0| <= 2; N1: 76, |N1| <= 4. K0, K3: 3 (2 kInput +
 // 36 + 2) + 10 = 172. K1, K2: 3 (4 kInput + 76 + 4) + 20 + 172 + 18 = 546. The cubic of the whole step, restricted to
 // the part, is off by less. With kInput = 1, N is off by 8 and 20, K0 and K3 by 46, K1 and K2 by 168, as are 3 K0 and 3
-// K3. These four are at most 18, so each of three mixtures adds 3 * 18. That makes 330; a third is 110, and 122 with
+// K3. These four are at most 18. So each of three mixtures adds 3 * 18. That makes 330; a third is 110, and 122 with
 // its rounding.
 inline constexpr double kCoplanarityEnd = 180;
 inline constexpr double kCoplanarityMiddle = 560;
@@ -62,12 +62,12 @@ inline constexpr double kCoplanarityNow = 104;
 inline constexpr double kCoplanaritySlope = 1600;
 
 // From a value of K at time t to a value at t + r, in the unit of time of a part of the step. K'' = 2 (d'.(e' x f) +
-// d'.(e x f') + d.(e' x f')) is at most 2 * 3 * 6 * 2 * 2 = 144 DEF, so K changes by K' r and at most kBend r^2 DEF. K'
-// at the place of t in the part, which is known to 3 u of the step: off by kCoplanaritySlope + 3 * 144.
+// d'.(e x f') + d.(e' x f')) is at most 2 * 3 * 6 * 2 * 2 = 144 DEF. So K changes by K' r and by at most kBend r^2 DEF.
+// K' at the place of t in the part, which is known to 3 u of the step: off by kCoplanaritySlope + 3 * 144.
 inline constexpr double kBend = 72;
 inline constexpr double kCoplanaritySlopeNow = 2100;
 
-// The value of S from vectors at one time (3 u more than kInput each, see at_time): as S0 with kInput = 12:
+// The value of S from vectors at one time (3 u more than kInput each, see at_time). As S0 with kInput = 12:
 // N 52, M 2 (2*12 + 52 + 2) + 4 = 160, S 3 (4*12 + 160 + 4) + 20 = 656.
 inline constexpr double kSideValue = 700;
 // Within a time r of there, S changes by at most 12 r times a sum over its four factors, because |S| <= 12 X W E F. The
@@ -119,8 +119,8 @@ inline constexpr double kTurningGap = 96;
 // The same, where the least distance is a part of that at t=0: kGap and kLength, 27 more.
 inline constexpr double kKeptGap = 128;
 
-// A part of D + E + F. Advancement (pair/narrow/first_within.hpp) continues while a pair's clearance exceeds it, and
-// each advance is at least 1/16 of this part of the step (docs/numerics/steps.md, "Step lengths").
+// A part of D + E + F. Advancement (pair/narrow/first_within.hpp) continues while a pair's clearance exceeds it. Each
+// advance is at least 1/16 of this part of the step (docs/numerics/steps.md, "Step lengths").
 inline constexpr double kAdvanceClearance = 0x1p-10;
 
 // The same for every pair within two boxes, times X. X is the largest extent along an axis from the lower end of one

@@ -11,8 +11,8 @@
 
 namespace tamis {
 
-/// Has the operations that the templates of pair/motion/polynomials.hpp need, as Integer does, and tells whether its
-/// sign is known.
+/// Has the operations that the templates of pair/motion/polynomials.hpp need, as Integer does. Tells whether its sign
+/// is known.
 class Estimate {
  public:
   Estimate() = default;
@@ -39,11 +39,11 @@ class Estimate {
   bool has_sign() const { return is_zero() || std::fabs(value_) > error_; }
   /// Means nothing unless has_sign(), which callers may test afterwards.
   int sign() const { return value_ > 0 ? 1 : value_ < 0 ? -1 : 0; }
-  /// Is the value off by at most a few roundings, 2^-48 of `size`?
+  /// True if the value is off by at most a few roundings, 2^-48 of `size`.
   bool is_sharp(double size) const { return error_ <= 0x1p-48 * size && std::isfinite(size); }
   bool is_sharp() const { return is_sharp(std::fabs(value_)); }
 
-  // Forced inline: a pair takes hundreds, and a call would pass the 32 bytes of each through memory.
+  // Forced inline. A pair takes hundreds, and a call would pass the 32 bytes of each through memory.
   [[gnu::always_inline]] friend Estimate operator-(const Estimate& a) { return {-a.value_, a.error_, 0 - a.rest_}; }
   [[gnu::always_inline]] friend Estimate operator+(const Estimate& a, const Estimate& b) {
     const DoubleDouble sum = DoubleDouble::sum_of(a.value_, b.value_);

@@ -1,6 +1,6 @@
 // The state of a thread that decides how results round. Error bounds hold only if results round to nearest and
-// subnormal numbers are numbers. Engines and other callers set other states, so every public function that computes
-// begins with a ComputingState, and each task for another thread too (in_parts.hpp). Callers' functions run in a
+// subnormal numbers are numbers. Engines and other callers set other states. So every public function that computes
+// begins with a ComputingState, and so does each task for another thread (in_parts.hpp). Callers' functions run in a
 // CallersState.
 //
 // Known are x86-64 (MXCSR; and the x87 word, which the C library's strtod reads) and 64-bit ARM (FPCR). On any other
@@ -81,7 +81,7 @@ class ComputingState {
   ComputingState& operator=(const ComputingState&) = delete;
 
  private:
-  /// A thread that computes, but in another state, waits: meanwhile oneTBB has given it a task of the caller's.
+  /// A thread that computes, but in another state, waits. Meanwhile oneTBB has given it a task of the caller's.
   explicit ComputingState(const FloatingPointState& now)
       : ComputingState(now, computes_for.is_computing && now == kToNearest ? computes_for.caller : now) {}
   ComputingState(const FloatingPointState& now, const FloatingPointState& caller) : before_(now), outer_(computes_for) {
@@ -125,7 +125,7 @@ class CallersState {
   const ComputesFor computes_for_;
 };
 
-/// f as the body of a parallel loop: it computes for this thread's caller, whatever thread runs it. oneTBB's threads
+/// f as the body of a parallel loop. It computes for this thread's caller, whatever thread runs it. oneTBB's threads
 /// have the state of the arena, from when that was made.
 template <class F>
 auto as_task(const F& f) {

@@ -14,14 +14,15 @@
 
 namespace tamis {
 
-/// Vertices in a part of a loop that does little with each of them: a part takes ten to twenty microseconds.
+/// Vertices in a part of a loop that does little with each of them. A part takes ten to twenty microseconds.
 inline constexpr std::size_t kVerticesPerPart = 1024;
 
 inline bool has_other_threads() { return tbb::this_task_arena::max_concurrency() > 1; }
 
-/// Calls f(begin, end) for parts of 0 to `count`. A loop no longer than `grain` stays with this thread: handing it over
+/// Calls f(begin, end) for parts of 0 to `count`. A loop no longer than `grain` stays with this thread. Handing it over
 /// costs a tenth of a whole question about a mesh of a dozen triangles. Without other threads, parts are sixteen times
-/// as long: short enough that a check for cancellation between them runs often, and so few that the parts cost nothing.
+/// as long. They are short enough that a check for cancellation between them runs often, and so few that they cost
+/// nothing.
 template <class Count, class F>
 void in_parts(Count count, Count grain, const F& f) {
   if (count > grain && has_other_threads())
@@ -63,7 +64,7 @@ Value joined_parts(std::span<Item> items, std::size_t grain, const Value& nothin
                       [&](std::size_t begin, std::size_t end) { return f(items.subspan(begin, end - begin)); });
 }
 
-/// Does is_so(item) hold for all items? Once it has failed for one, parts that have not begun are skipped.
+/// True if is_so(item) holds for all items. Once it has failed for one, parts that have not begun are skipped.
 template <class Item, class F>
 bool all_in_parts(std::span<const Item> items, std::size_t grain, const F& is_so) {
   std::atomic<bool> are_so = true;
@@ -85,7 +86,7 @@ auto pausing(const Order& comes_before, const Pause& pause) {
   };
 }
 
-/// Sorts by a total order: only equal items are neither before nor after each other. REQUIRES (not checked: O(n)): an
+/// Sorts by a total order. Only equal items are neither before nor after each other. REQUIRES (not checked: O(n)): an
 /// order of integers, for which the state of floating-point numbers does not matter. `pause`: as in pausing(). Without
 /// other threads, std::sort is faster than oneTBB's sort.
 template <class Items, class Order, class Pause>

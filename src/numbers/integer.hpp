@@ -1,4 +1,4 @@
-// Integers of any size by GMP. Up to 768 bits they need no heap: an exact decision makes hundreds of them, and
+// Integers of any size by GMP. Up to 768 bits they need no heap. An exact decision makes hundreds of them, and
 // mpz_class spends half of its time in malloc. Most operations are sums of numbers below 2^126 or products of two limbs
 // by two. These bypass GMP.
 #pragma once

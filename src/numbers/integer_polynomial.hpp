@@ -1,4 +1,4 @@
-// Polynomials in t of degree <= 6 with integer coefficients: all that the exact decision computes with.
+// Polynomials in t of degree <= 6 with integer coefficients. The exact decision computes with nothing else.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -72,8 +72,8 @@ class IntegerPolynomial {
   int degree_ = -1;
 };
 
-/// A quick proof that two polynomials have no common factor: true only if they have none modulo a prime that divides
-/// neither leading coefficient. Such a prime does not divide the leading coefficient of a common factor either, so
+/// A quick proof that two polynomials have no common factor. True only if they have none modulo a prime that divides
+/// neither leading coefficient. Such a prime does not divide the leading coefficient of a common factor either, so the
 /// factor keeps its degree. REQUIRES: neither is zero.
 bool are_surely_coprime(const IntegerPolynomial& a, const IntegerPolynomial& b);
 

@@ -1,4 +1,4 @@
-// Interval arithmetic with outward rounding, without changing the rounding mode. On double and double-double; other
+// Interval arithmetic with outward rounding, without changing the rounding mode. On double and double-double. Other
 // number types that wrap double, such as one that counts operations, run the same lines.
 #pragma once
 #include <algorithm>
@@ -36,7 +36,7 @@ inline T above(const T& x) {
 }
 /// below() for a sum, except that zero stays zero. A sum that is zero is exact in double and in double-double, because
 /// sums are off by a part of themselves. (So is a product with an exact zero.) Moved down, zero would become a denormal
-/// number, and so would products with it: processors take a hundred times as long for these.
+/// number, and so would products with it. Processors take a hundred times as long for these.
 template <class T>
 inline T sum_below(const T& x) {
   return select(x == T(0), x, below(x));
@@ -48,7 +48,7 @@ inline T sum_above(const T& x) {
 
 }  // namespace rounding
 
-/// A closed interval that contains the true value. After overflow a bound may be NaN: then every certain comparison is
+/// A closed interval that contains the true value. After overflow a bound may be NaN. Then every certain comparison is
 /// false, so nothing is proven.
 template <class T>
 struct BasicInterval {
@@ -116,7 +116,7 @@ inline bool operator<(const BasicInterval<T>& a, const BasicInterval<T>& b) {
   return a.upper < b.lower;
 }
 
-/// Is the vector exactly zero?
+/// True if the vector is exactly zero.
 template <class T>
 inline bool is_zero(const Vec3<BasicInterval<T>>& v) {
   return v.x.is_zero() && v.y.is_zero() && v.z.is_zero();

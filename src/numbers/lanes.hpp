@@ -22,8 +22,8 @@ using IntLanes = xsimd::batch<std::int32_t, Arch>;
 inline constexpr int kDoubleLanes = static_cast<int>(DoubleLanes::size);
 inline constexpr int kFloatLanes = static_cast<int>(FloatLanes::size);
 
-/// The same bits as lanes of `To`. From version 11 on xsimd::bitwise_cast takes the type of a lane. Before, the type of
-/// the batch.
+/// The same bits as lanes of `To`. From version 11 on xsimd::bitwise_cast takes the type of a lane. Before version 11
+/// it takes the type of the batch.
 template <class To, class From>
 inline xsimd::batch<To, Arch> same_bits(const xsimd::batch<From, Arch>& lanes) {
 #if XSIMD_VERSION_MAJOR < 11

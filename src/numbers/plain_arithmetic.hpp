@@ -1,4 +1,4 @@
-// Refuses to be compiled where products, sums or comparisons do not follow IEEE 754: error bounds do not hold there.
+// Refuses to be compiled where products, sums or comparisons do not follow IEEE 754. Error bounds do not hold there.
 #pragma once
 #include <cfloat>
 

@@ -1,4 +1,4 @@
-// An array that is not initialized: filling it with zeros first would take as long as writing it.
+// An array that is not initialized. Filling it with zeros first would take as long as writing it.
 #pragma once
 #include <cstddef>
 #include <cstdint>

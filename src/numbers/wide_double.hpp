@@ -12,14 +12,14 @@
 namespace tamis {
 
 /// x 2^exponent, with the exponent cut to [-900, 900]. A term below 2^-900 of the rest of a sum does not count. Nor
-/// does it count how far a term is above 2^900 of the rest.
+/// does it matter how far a term is above 2^900 of the rest.
 inline double times_power_of_two(double x, long exponent) {
   constexpr long kBias = 1023, kMantissaBits = 52;
   const auto biased = static_cast<std::uint64_t>(kBias + std::clamp(exponent, -900L, 900L));
   return x * std::bit_cast<double>(biased << kMantissaBits);
 }
 
-/// mantissa 2^exponent; operations on positive numbers are off by at most 2^-51 of the result.
+/// mantissa 2^exponent. Operations on positive numbers are off by at most 2^-51 of the result.
 struct WideDouble {
   double mantissa = 0;
   long exponent = 0;

@@ -1,4 +1,4 @@
-// Integers in machine words, for coordinates that fit: a product is exact and costs one multiplication, where an
+// Integers in machine words, for coordinates that fit. A product is exact and costs one multiplication, where an
 // Estimate carries a bound along. Products of products are Estimates.
 #pragma once
 #include <cstdint>

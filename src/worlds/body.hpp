@@ -32,7 +32,7 @@ class Body {
   Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion);
   /// A copy without the detector.
   Body(const Body& other);
-  /// A copy for questions about other bodies, without the first links of its chain: it moves as the frame of these
+  /// A copy for questions about other bodies, without the first links of its chain. It moves as the frame of these
   /// links sees it. It counts as turning even if no other link turns. REQUIRES: it turns, and has so many links.
   Body(const Body& other, std::size_t links);
   Body(Body&&) noexcept = default;
@@ -40,7 +40,7 @@ class Body {
   /// The body with another motion, of the same kind or another, and without the detector. Throws InvalidStep, naming
   /// the body.
   Body moved(BodyMotion motion) const;
-  /// Becomes the result of moved(). A body that deforms before and after keeps its detector. It cannot fail, so a
+  /// Becomes the result of moved(). A body that deforms before and after keeps its detector. It cannot fail. So a
   /// change of bodies happens as a whole or not at all.
   void become(Body moved) noexcept;
   /// Throws InvalidStep, naming the body.
@@ -51,7 +51,7 @@ class Body {
   MotionKind motion_kind() const { return motion_kind_; }
   /// REQUIRES: it turns.
   const RigidChain& chain() const { return std::get<Rigid>(motion_).chain; }
-  /// Are its numbers so small that doubles certainly represent its positions at all times?
+  /// True if its numbers are so small that doubles certainly represent its positions at all times.
   bool is_surely_representable() const;
   /// Null unless it deforms.
   const Deforming* deforming() const { return std::get_if<Deforming>(&motion_); }

@@ -16,7 +16,7 @@ Box widened(Box box) {
   return box;
 }
 
-/// Makes a box unbounded along axes with NaN, which appears where the bend of curves overflows.
+/// Makes a box unbounded along axes with NaN. NaN appears where the bend of curves overflows.
 Box unbounded_if_unknown(Box box) {
   for (std::size_t k = 0; k < 3; ++k)
     if (!(box.low[k] <= box.high[k])) box.low[k] = -kUnbounded, box.high[k] = kUnbounded;
@@ -93,7 +93,7 @@ ItemBounds BodyOnPiece::items(Index leaf) const {
   return result;
 }
 
-/// Restricts bounds to the piece. Vertices of a body that does not turn move straight during the whole step, so its
+/// Restricts bounds to the piece. Vertices of a body that does not turn move straight during the whole step. So its
 /// bounds at both ends are interpolated. The bounds of a body that turns are of the piece already.
 MovingBounds BodyOnPiece::cut(const Box& at_start, const Box& at_end) const {
   const Box start = unbounded_if_unknown(at_start), end = unbounded_if_unknown(at_end);

@@ -10,7 +10,7 @@
 
 namespace tamis {
 
-/// Bounds that move linearly, in the frame of the world. Each box is widened by kRounding of its coordinates, which
+/// Bounds that move linearly, in the frame of the world. Each box is widened by kRounding of its coordinates. This
 /// covers the rounding of may_meet().
 struct MovingBounds {
   Box start, end;
@@ -24,8 +24,8 @@ struct MovingBounds {
   }
 };
 
-/// May the bounds come within `separation` at some time? False only if proven: at every time there is a gap along some
-/// axis. NaN proves nothing.
+/// True if the bounds may come within `separation` at some time. False only if proven: at every time there is a gap
+/// along some axis. NaN proves nothing.
 inline bool may_meet(const MovingBounds& a, const MovingBounds& b, double separation) {
   TimeClip<double> clip({0, 1});
   constexpr double kPart = 0.125;  // of each gap, so no difference overflows

@@ -13,9 +13,9 @@ namespace tamis {
 namespace {
 
 /// The most radians that all links together may turn in a step: one for each piece. On longer pieces chords prove
-/// little, and each pair that they leave is cut further by itself (docs/worlds.md, "How far a body may turn").
+/// little. Each pair that they leave is cut further by itself (docs/worlds.md, "How far a body may turn").
 constexpr double kMostTurn = kMostPieces;
-/// The longest rotation vector in radians: doubles are 2^-20 apart there, and longer vectors mean no angle.
+/// The longest rotation vector in radians. Doubles are 2^-20 apart there, and longer vectors mean no angle.
 constexpr double kLongestRotation = 0x1p32;
 
 /// With no larger coordinates and no more links, doubles certainly represent a vertex' position.

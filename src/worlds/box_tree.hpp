@@ -1,4 +1,4 @@
-// A hierarchy of any items in space: features of a shape, bodies of a world. The order of items is made once; boxes are
+// A hierarchy of any items in space: features of a shape, bodies of a world. The order of items is made once. Boxes are
 // made again whenever items have moved.
 #pragma once
 #include <span>
@@ -13,7 +13,7 @@
 namespace tamis {
 
 /// Items sixteen to a leaf (kBlock), sixteen nodes to a node above, and so on up to one root. Nodes are numbered: the
-/// leaves first, then level by level; the root is the last one.
+/// leaves first, then level by level. The root is the last one.
 class BoxTree {
  public:
   BoxTree() = default;  ///< to be assigned to

@@ -21,7 +21,7 @@ struct ByNumbers {
   }
 };
 
-/// Has the body a link that may be shared?
+/// True if the body has a link that may be shared.
 bool is_carried(const Body& body) { return body.motion_kind() == MotionKind::turning && !body.chain().empty(); }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Bodies that turn together: pairs of bodies whose chains share outer links. Each pair is queried in the frame of the
-// last shared link, where only the links behind it move (docs/numerics/curves.md, "Bodies that turn together").
+// last shared link. In this frame only the links behind it move (docs/numerics/curves.md, "Bodies that turn together").
 #pragma once
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace tamis {
 
-/// Do both bodies turn, and are their outermost links equal?
+/// True if both bodies turn, and their outermost links are equal.
 bool turn_together(const Body& a, const Body& b);
 
 /// Pairs that share the same links, and no more.

@@ -79,7 +79,7 @@ Mesh Gathered::make_mesh(const BodyList& bodies) {
   return {static_cast<Index>(vertices_.size()), std::move(faces), edges, std::move(points)};
 }
 
-/// A group of the detector holds the bodies of one color. Its pairs need no query: the bodies are not near each other,
+/// A group of the detector holds the bodies of one color. Its pairs need no query. The bodies are not near each other,
 /// or are passive. So there are few groups, however many bodies and radii.
 PairFilter Gathered::make_filter(const BodyList& bodies, const std::set<BodyPair>& excluded_pairs) const {
   const std::map<BodyId, Index> colors = colors_of(items_, bodies, least_);

@@ -14,14 +14,14 @@ namespace tamis {
 
 class Gathered {
  public:
-  /// Bodies with a lesser kind of motion than `least` are passive: they do not meet each other. These are the bodies
+  /// Bodies with a lesser kind of motion than `least` are passive. They do not meet each other. These are the bodies
   /// that stay, or in a question about curves those that do not turn. In a question about curves bodies that turn
   /// together do not meet each other here. `options`: the detector's, without groups. REQUIRES: `items` is not empty.
   Gathered(const BodyList& bodies, NearItems items, MotionKind least, const std::set<BodyPair>& excluded_pairs,
            const Options& options);
   Gathered(const Gathered&) = delete;
 
-  /// Does each body have the same kind of motion as when this was made, and do the same bodies turn together?
+  /// True if each body has the same kind of motion as when this was made, and the same bodies turn together.
   bool keeps_motion_kinds(const BodyList& bodies) const;
   /// The links that carry the frame of the bodies given from now on; empty: the frame of the world.
   void set_carrier(RigidChain carrier) { carrier_ = std::move(carrier); }
@@ -36,8 +36,8 @@ class Gathered {
   /// The motion of all vertices on curves.
   RigidPath path(const BodyList& bodies) const;
 
-  /// Replaces the vertices of the gathered mesh in a row by bodies and the bodies' own vertices, and turns directions
-  /// into the world.
+  /// Replaces the vertices of the gathered mesh in a row by bodies and the bodies' own vertices. Turns directions into
+  /// the world.
   template <class Row>
   void name(Row& row) const {
     row.bodies = {body_of(row.vertices[0]), body_of(row.vertices[second_feature(row.kind)])};

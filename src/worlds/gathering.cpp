@@ -13,7 +13,7 @@
 namespace tamis {
 namespace {
 
-/// A mesh is gathered anew once fewer than 1 / kShrunk of the items needed when it was made may still touch; every
+/// A mesh is gathered anew once fewer than 1 / kShrunk of the items needed when it was made may still touch. Every
 /// kSearchesPerCount-th search counts them.
 constexpr std::size_t kShrunk = 4;
 constexpr int kSearchesPerCount = 16;

@@ -1,4 +1,4 @@
-// Gathering: finds the bodies that are near enough, gathers their items as one mesh, and tells how long this mesh
+// Gathering: finds the bodies that are near enough, and gathers their items as one mesh. Tells how long this mesh
 // serves later questions.
 #pragma once
 #include <map>
@@ -27,8 +27,8 @@ struct Gathering {
     const bool is_of_frame = least == MotionKind::turning && turn_together(a, b);
     return least <= kind && kind <= most && !is_of_frame;
   }
-  /// Of bodies that turn: have meshes served no later question, as where each question is about other motions? Then
-  /// only needed items are gathered; now and then a margin is tried again.
+  /// For bodies that turn. True if meshes have served no later question, as where each question is about other motions.
+  /// Then only needed items are gathered; now and then a margin is tried again.
   bool serves_once() const {
     constexpr int kTries = 4, kTriesAgain = 16;
     return least == MotionKind::turning && in_vain >= kTries && in_vain % kTriesAgain != 0;

@@ -1,4 +1,4 @@
-// Many motions of the same bodies in one question: threads share the motions, each with a world of its own.
+// Many motions of the same bodies in one question. Threads share the motions, each with a world of its own.
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 

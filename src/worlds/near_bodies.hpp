@@ -15,8 +15,8 @@ using BodyPair = std::array<BodyId, 2>;
 /// By number; null for bodies that have been removed.
 using BodyList = std::vector<std::unique_ptr<Body>>;
 
-/// The distance within which bodies, and items of them, are near each other: the separation, plus both radii, plus a
-/// multiple of both displacements, plus a margin.
+/// The distance within which bodies, and items of them, are near each other. It is the separation, plus both radii,
+/// plus a multiple of both displacements, plus a margin.
 struct NearDistance {
   double separation = 0;
   double displacement_factor = 0;

@@ -147,7 +147,7 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs, 
   std::map<BodyId, BoundsOnPiece> of_still, of_moving;
   std::vector<char> is_near;
   for (const BodyPair& pair : pairs) is_near.push_back(static_cast<char>(std::ranges::binary_search(near.pairs, pair)));
-  // On so many pieces together curves deviate by a fourth of an edge at most, which gathers few items more.
+  // On so many pieces together curves deviate by a fourth of an edge at most. This gathers only a few items more.
   constexpr std::size_t kPiecesTogether = 4;
   for (std::size_t first = 0, last = 0; first + 1 < times.size(); first = last) {
     last = std::min(first + kPiecesTogether, times.size() - 1);
@@ -160,7 +160,7 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs, 
     };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto [a, b] = pairs[i];
-      // Pairs of bodies before `a` are done: their memory, which is in the caches, serves the pairs that follow.
+      // Pairs of bodies before `a` are done. Their memory, which is in the caches, serves the pairs that follow.
       of_moving.erase(of_moving.begin(), of_moving.lower_bound(a));
       stop_if_cancelled(options);
       PairWalk walk(side(a), side(b), distance.between(body(a), body(b)), options);

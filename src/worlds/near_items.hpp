@@ -1,4 +1,4 @@
-// Which items of bodies may come near items of others: a traversal of two hierarchies at once, in the frame of the
+// Finds the items of bodies that may come near items of others. Traverses two hierarchies at once, in the frame of the
 // world.
 #pragma once
 #include <map>

@@ -10,7 +10,7 @@
 namespace tamis {
 namespace {
 
-/// The options for detectors that are asked about steps, which have no tolerance.
+/// A detector's options for questions about steps, which have no tolerance.
 QueryOptions of_steps(const PathOptions& asked) { return {asked.min_separation, of_curves(asked).at_start}; }
 
 // The first contact of each pair of bodies, of a gathered mesh and of a body with itself.
@@ -144,8 +144,8 @@ bool World::is_free(const PathOptions& asked) {
   return is_free;
 }
 
-/// A pair of clearance c that keeps no more than f c has lost (1 - f) c, at most the displacements w of both bodies:
-/// then it has come within f w / (1 - f) of its separation.
+/// A pair of clearance c that keeps no more than f c has lost (1 - f) c, at most the displacements w of both bodies.
+/// Then it has come within f w / (1 - f) of its separation.
 BodyStep World::safe_step(double fraction, const PathOptions& asked) {
   const State::QuestionTurn now(*this);
   validate_kept(fraction);

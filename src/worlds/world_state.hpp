@@ -1,5 +1,5 @@
-// The state that a world keeps from question to question, and the functions that answer questions: they find near
-// bodies, gather the items of these that may touch (worlds/gathering.hpp), and ask detectors.
+// The state that a world keeps from question to question, and the functions that answer questions. They find near
+// bodies, gather the items of these that may touch (worlds/gathering.hpp), and query detectors.
 #pragma once
 #include <optional>
 #include <set>
@@ -14,17 +14,17 @@ namespace tamis {
 
 struct World::State {
   explicit State(Options o);
-  /// A copy of the bodies, to be asked by one thread. Nothing is gathered yet.
+  /// A copy of the bodies, for the questions of one thread. Nothing is gathered yet.
   State(const State& other);
 
   Body& body(BodyId id);
-  // Changes of one or many bodies: all of it is computed before any of it is done.
+  // Changes of one or many bodies. All of it is computed before any of it is done.
 
   std::vector<BodyId> add(const std::shared_ptr<const BodyShape>& shape, std::vector<BodyMotion> motions);
   void move(BodyId id, BodyMotion motion);
   void move(std::span<const BodyId> ids, std::vector<BodyMotion> motions);
   void set_may_touch(std::span<const BodyPair> pairs, bool may_touch);
-  /// To be called when a body is removed, or when anything of it but its motion has changed: drops the gathered meshes.
+  /// Drops the gathered meshes. Called when a body is removed, or when anything of it but its motion has changed.
   void forget_gathered(const Body& changed);
   /// To be called when a body is added or given another motion. Gathered meshes notice both by themselves.
   void forget_if_still(const Body& changed) {
@@ -53,18 +53,18 @@ struct World::State {
   /// stay are a pair only with `include_static`.
   std::vector<BodyPair> near_bodies(const NearDistance& distance);
   std::vector<BodyPair> wanted_pairs(const Gathering& gathering, std::vector<BodyPair> pairs) const;
-  /// Makes `gathering` hold all items that come within the distance; returns false if none do. `seen`: `bodies`, or
+  /// Makes `gathering` hold all items that come within the distance. Returns false if none do. `seen`: `bodies`, or
   /// those that a frame sees. `pairs`: wanted_pairs() of near_bodies(), or those of the frame. REQUIRES: no margin.
   /// `times`: the ends of pieces, beginning with 0.
   bool gather(Gathering& gathering, const BodyList& seen, const NearDistance& distance,
               const std::vector<BodyPair>& pairs, std::span<const double> times);
   void gather_anew(Gathering& gathering, const BodyList& seen, const std::vector<BodyPair>& near, NearDistance distance,
                    const NearItems& needed, std::span<const double> times);
-  /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
+  /// Ends of the pieces for questions about bodies that turn, beginning with 0.
   static std::vector<double> times_of_pieces(const BodyList& seen, const std::vector<BodyPair>& pairs,
                                              const NearDistance& distance);
-  /// Asks about pairs of which one body turns, in the world or in a frame (`seen`, as for gather()). Returns false if
-  /// no more is to be asked.
+  /// Queries pairs with a body that turns, in the world or in a frame (`seen`, as for gather()). Returns false if no
+  /// more queries are needed.
   template <class Ask>
   bool ask_turning(Gathering& gathering, const BodyList& seen, const RigidChain& carrier,
                    const std::vector<BodyPair>& pairs, const NearDistance& distance, const PathOptions& asked,
@@ -81,7 +81,7 @@ struct World::State {
   /// Calls f(id, body) for each body that may touch itself, until one returns false.
   template <class F>
   void for_each_by_itself(const F& f);
-  /// Asks one detector, and adds its statistics.
+  /// Queries one detector, and adds its statistics.
   template <class Ask, class... Of>
   bool ask_one(Detector& detector, const Ask& ask, const Of&... of);
   void add_statistics(const Statistics& of_part);
@@ -104,8 +104,8 @@ struct World::State {
   std::map<std::pair<std::size_t, BodyId>, Gathering> carried_;  ///< by the number of shared links and the first body
 };
 
-/// The options for detectors that are asked about curves. With AtStart::fail contacts at the start are reported, and
-/// the world refuses them, naming bodies.
+/// A detector's options for questions about curves. With AtStart::fail contacts at the start are reported. The world
+/// refuses them, naming bodies.
 inline PathOptions of_curves(PathOptions asked) {
   if (asked.at_start == AtStart::fail) asked.at_start = AtStart::report;
   return asked;

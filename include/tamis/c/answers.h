@@ -40,16 +40,16 @@ typedef struct tamis_contact {
   double toi_lower;    /**< fraction of the step in [0, 1]: the pair is apart on [0, toi_lower) */
   double toi_upper;    /**< if certified, it touches at some time of [toi_lower, toi_upper] */
   double u, v; /**< vf: point = (1-u-v) f0 + u f1 + v f2; ee: u on the first edge, v on the second; ve: u on the edge */
-  /** Unit vector: the direction in which the first feature must go, or against which the second must go, so that they
-   * part. With a minimum separation or radii, and for vertex-edge and vertex-vertex: from the second feature's closest
-   * point to the first's at toi_lower. Otherwise: the normal of the face, or the cross product of both edges, on the
-   * side where the first feature is just before they touch. Special cases: Contact in tamis/contact.hpp. */
+  /** Unit vector. To part the features, move the first one along it, or the second one against it. With a minimum
+   * separation or radii, and for vertex-edge and vertex-vertex: from the second feature's closest point to the first's
+   * at toi_lower. Otherwise: the normal of the face, or the cross product of both edges, on the side where the first
+   * feature is just before they touch. Special cases: Contact in tamis/contact.hpp. */
   double normal[3];
   int32_t bodies[2]; /**< in a world the first feature's body and the second's; from a detector -1 */
 } tamis_contact;
 
 /** Writes a signed weight for each of the four vertices of a contact, a near pair or a pair's result; 0 for unused
- * entries. The first feature's vertices, weighted and summed, give its point; the second feature's give its point,
+ * entries. The first feature's vertices, weighted and summed, give its point. The second feature's give its point,
  * negative. So the sum over all is the vector from the second point to the first. TAMIS_INVALID_ARGUMENT: there is no
  * such kind, or `weights` is NULL. */
 TAMIS_API tamis_status tamis_weights_of(int32_t kind, double u, double v, double* weights);
@@ -65,7 +65,7 @@ typedef struct tamis_near_pair {
   int32_t bodies[2];   /**< as in tamis_contact */
 } tamis_near_pair;
 
-/** How far a step may go so that every pair keeps a fraction of its distance. */
+/** How far a step may go while every pair keeps a fraction of its distance. */
 typedef struct tamis_safe_step {
   size_t size;
   double toi_lower;     /**< on [0, toi_lower] every pair keeps the fraction, on [0, toi_lower) none touches: proven */

@@ -20,18 +20,18 @@ typedef struct tamis_options {
                                       part in contacts; NULL: all vertices are in group 0, group_count is 0 or 1 and
                                       groups_may_touch is NULL, too */
   int32_t group_count;             /**< 0: one group */
-  const uint8_t* groups_may_touch; /**< group_count x group_count, symmetric; 0 leaves out the pairs of these two
-                                      groups; NULL: none are left out */
-  /** Asked, after the groups, for each pair that may still be in the answer, from several threads; 0 leaves the pair
-   * out. NULL: none are left out. */
+  const uint8_t* groups_may_touch; /**< group_count x group_count, symmetric; 0 skips the pairs of these two groups;
+                                      NULL: none are skipped */
+  /** Called, after the groups, for each pair that may still be in the answer, from several threads. 0 skips the pair.
+   * NULL: no pair is skipped. */
   int (*accepts)(void* user, int32_t kind, const int32_t* vertices);
-  /** Asked again and again during a question, from several threads; once it returns other than 0, the question ends
+  /** Called again and again during a question, from several threads. Once it returns other than 0, the question ends
    * with TAMIS_CANCELLED. */
   int (*is_cancelled)(void* user);
   void* user;          /**< passed to accepts and is_cancelled */
   const double* radii; /**< a radius >= 0 for each group, group_count of them: half of its thickness; NULL: all zero */
-  int32_t rings; /**< leaves out pairs whose features are fewer than `rings` edges apart along the mesh; 0: 1, which
-                    leaves out pairs with a common vertex */
+  int32_t rings;       /**< skips pairs whose features are fewer than `rings` edges apart along the mesh; 0: 1, which
+                          skips pairs with a common vertex */
 } tamis_options;
 
 /** Copies the mesh. `options` NULL: the defaults. TAMIS_INVALID_OPTIONS: see Detector in tamis/detector.hpp. */
@@ -52,21 +52,21 @@ TAMIS_API tamis_status tamis_detector_earliest(tamis_detector* detector, const t
 /** Writes 1 if the whole step is free of contacts, else 0. */
 TAMIS_API tamis_status tamis_detector_is_free(tamis_detector* detector, const tamis_step* step, int* is_free);
 
-/** How far may the step go so that every pair keeps at least the fraction `keep` of its distance at t=0? The distance
+/** How far the step may go while every pair keeps at least the fraction `keep` of its distance at t=0. The distance
  * that counts is what exceeds the minimum separation and both radii. 0 <= keep < 1. C has no default arguments: C++ and
  * Python take 0.1, here and for tamis_detector_truncate. Which value when: Detector in tamis/detector.hpp. */
 TAMIS_API tamis_status tamis_detector_safe_step(tamis_detector* detector, const tamis_step* step, double keep,
                                                 tamis_safe_step* answer);
 
-/** The number type in which the caller keeps positions between steps. */
+/** The number type of the positions that the caller keeps between steps. */
 enum { TAMIS_FLOAT64 = 0, TAMIS_FLOAT32 = 1 };
 
 /** Positions to go to, each vertex as far as it may on its own line: three doubles for each vertex of the mesh. On the
  * straight way there every pair keeps the fraction `keep` of its distance, 0 < keep < 1: proven. `fractions`: for each
  * vertex the fraction of its way that it goes, in [0, 1]; NULL: not wanted. *is_free is 0 if some pair touches at the
  * start and is not ignored; such a pair comes no nearer. `stored`: TAMIS_FLOAT64 or TAMIS_FLOAT32. With TAMIS_FLOAT32
- * all positions are values of floats, storing them as floats changes nothing, and the step's start must consist of
- * values of floats. See Detector::truncate in tamis/detector.hpp. */
+ * all positions are float values, so storing them as floats changes nothing. Then the step's start must consist of
+ * float values. See Detector::truncate in tamis/detector.hpp. */
 TAMIS_API tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step* step, double keep,
                                                int32_t stored, double* positions, double* fractions, int* is_free);
 

@@ -14,11 +14,11 @@ typedef struct tamis_pair_options {
   double min_separation; /**< d >= 0, as in tamis_options */
   int32_t threads;       /**< the same */
   const char* isa;       /**< the same */
-  /** The latest time of interest, in [0,1]: a pair that is proven apart until then counts as free. The answers about
+  /** The latest time of interest, in [0,1]. A pair that is proven apart until then counts as free. The answers about
    * other pairs do not depend on it. NULL: 1. */
   const double* latest;
-  /** Asked again and again during a call with a list, from several threads; once it returns other than 0, the call ends
-   * with TAMIS_CANCELLED. */
+  /** Called again and again during a call with a list, from several threads. Once it returns other than 0, the call
+   * ends with TAMIS_CANCELLED. */
   int (*is_cancelled)(void* user);
   void* user; /**< passed to is_cancelled */
 } tamis_pair_options;

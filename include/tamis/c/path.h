@@ -8,8 +8,8 @@
 extern "C" {
 #endif
 
-/** How all vertices move for t in [0,1], on continuous curves. Copies all arrays that it is made with; the functions
- * and `user` of tamis_path_functions must live as long as the path. Several detectors may ask about it at a time. */
+/** How all vertices move for t in [0,1], on continuous curves. Copies all arrays that it is made with. The functions
+ * and `user` of tamis_path_functions must live as long as the path. Several detectors may use it at a time. */
 typedef struct tamis_path tamis_path;
 
 /** x goes to R x + position, R being the rotation by |rotation| radians about the direction of `rotation`. */
@@ -90,8 +90,8 @@ TAMIS_API tamis_status tamis_bezier_path_create(const tamis_spline_path_input* i
 TAMIS_API tamis_status tamis_catmull_rom_path_create(const tamis_spline_path_input* input, tamis_path** path);
 TAMIS_API tamis_status tamis_function_path_create(const tamis_path_functions* functions, tamis_path** path);
 TAMIS_API void tamis_path_free(tamis_path* path);
-/** The message of the last call with this path; "" after TAMIS_OK. A detector that is asked about the path keeps its
- * own message. */
+/** The message of the last call with this path; "" after TAMIS_OK. A detector that uses the path keeps its own
+ * message. */
 TAMIS_API const char* tamis_path_message(const tamis_path* path);
 /** Writes where the vertices are at a time in [0,1], rounded to doubles: vertex_count x 3. */
 TAMIS_API tamis_status tamis_path_points_at(tamis_path* path, double time, double* points);
@@ -102,8 +102,8 @@ typedef struct tamis_path_options {
   size_t size;
   double tolerance;             /**< the widest bracket of a contact, a fraction of the step in (0, 1]; 0: 1e-9 */
   const double* min_separation; /**< for this question alone; NULL: the detector's, the world's, or 0 for pairs */
-  /** Only for lists of pairs, where one pair may take seconds: asked again and again; once it returns other than 0, the
-   * call ends with TAMIS_CANCELLED. Detectors and worlds ask that of their own options. */
+  /** Only for lists of pairs, where one pair may take seconds. Called again and again. Once it returns other than 0,
+   * the call ends with TAMIS_CANCELLED. Detectors and worlds have this in their own options. */
   int (*is_cancelled)(void* user);
   void* user;       /**< passed to is_cancelled */
   int32_t at_start; /**< of a detector's or world's questions: TAMIS_REPORT, TAMIS_IGNORE or TAMIS_FAIL */

@@ -20,7 +20,7 @@ typedef enum tamis_status {
   TAMIS_INVALID_MESH = 2,     /**< a topology that cannot be used */
   TAMIS_INVALID_STEP = 3,     /**< positions that do not fit the mesh, or are not finite */
   TAMIS_INVALID_OPTIONS = 4,  /**< an option outside its range, or an unknown name */
-  TAMIS_CANCELLED = 5,        /**< is_cancelled ended the question; the detector may be asked again */
+  TAMIS_CANCELLED = 5,        /**< is_cancelled ended the question; the detector may be queried again */
   TAMIS_BUSY = 6, /**< the detector or world is still answering another question: of another thread, or of the filter's
                      own caller */
   TAMIS_OUT_OF_MEMORY = 7,

@@ -121,9 +121,9 @@ TAMIS_API tamis_status tamis_world_is_free(tamis_world* world, const tamis_path_
  * separation than doubles can tell ends the step at once. */
 TAMIS_API tamis_status tamis_world_safe_step(tamis_world* world, double keep, const tamis_path_options* options,
                                              tamis_safe_step* answer);
-/** Pairs of features within `distance` plus both radii where all bodies are at t=0, rounded to doubles; sorted as
+/** Pairs of features within `distance` plus both radii where all bodies are at t=0, rounded to doubles. Sorted as
  * contacts. Writes their number. `include_static` 0: this question and the next two skip two bodies that stay at a
- * pose, even where they pass through each other. Other than 0: ask about these, too, as before the first step. */
+ * pose, even where they pass through each other. Other than 0: includes these, too, as needed before the first step. */
 TAMIS_API tamis_status tamis_world_pairs_within(tamis_world* world, double distance, int include_static, size_t* count);
 /** Every edge that passes through a triangle or touches it at t=0, sorted by bodies, edge and face. Writes their
  * number. */
@@ -131,14 +131,14 @@ TAMIS_API tamis_status tamis_world_intersections(tamis_world* world, int include
 /** Writes 1 if there is any intersection, else 0. Ends at the first one. */
 TAMIS_API tamis_status tamis_world_has_intersection(tamis_world* world, int include_static, int* has_intersection);
 
-/** As the calls tamis_detector_copy_...; vertices are those of the bodies' own meshes. */
+/** As the calls tamis_detector_copy_... Vertices are numbered in the bodies' own meshes. */
 TAMIS_API tamis_status tamis_world_copy_contacts(tamis_world* world, size_t first, size_t count,
                                                  tamis_contact* contacts, size_t contact_size);
 TAMIS_API tamis_status tamis_world_copy_pairs_within(tamis_world* world, size_t first, size_t count,
                                                      tamis_near_pair* pairs, size_t pair_size);
 TAMIS_API tamis_status tamis_world_copy_intersections(tamis_world* world, size_t first, size_t count,
                                                       tamis_intersection* intersections, size_t intersection_size);
-/** The cost of the last question: sums over the detectors that it asked; memory_bytes does not count shapes. */
+/** The cost of the last question: sums over the detectors that it used. memory_bytes does not count shapes. */
 TAMIS_API tamis_status tamis_world_statistics(tamis_world* world, tamis_statistics* statistics);
 
 #ifdef __cplusplus

@@ -13,7 +13,7 @@
 namespace tamis {
 namespace {
 
-/// Is a rotation vector of the link longer than kLargestRoundedAngle, or not finite?
+/// True if a rotation vector of the link is longer than kLargestRoundedAngle, or not finite.
 bool turns_far(const RigidLink& link) {
   const auto is_far = [](const Pose& pose) {
     const auto [x, y, z] = pose.rotation;
@@ -39,7 +39,8 @@ RoundedTransform rounded(const RigidTransform& exact) {
   return rounded;
 }
 
-/// Rotations differ by no more, as matrices, than their rotation vectors: the error of the vector bounds the matrix'.
+/// Rotations differ by no more, as matrices, than their rotation vectors. So the error of the vector bounds the error
+/// of the matrix.
 RoundedTransform rounded_near(const RigidLink& link, double time) {
   const RoundedPlace turn = rounded_linear(link.start.rotation, link.end.rotation, time);
   const RoundedPlace shift = rounded_linear(link.start.position, link.end.position, time);
@@ -55,8 +56,9 @@ RoundedTransform rounded_link(const RigidLink& link, double time) {
 
 /// The transform that applies `inner`, then `outer`. Errors are norms of matrices and of vectors, so they add up. For
 /// rotations A', B' and their doubles A, B, off by a and b: |A'B' - AB| <= a + b + a b and |A'p' + q' - Ap - q| <= a
-/// |p| + |p' - p| + |q' - q|. Each entry of the product rounds by 3 u |row| |column|, all nine by a little over 9 u; 16
-/// u are given. The entries of the shift round by 4 u (|p|_1 + |q|) each, all by sqrt(3) of that; 8 u are given.
+/// |p| + |p' - p| + |q' - q|. Each entry of the product rounds by 3 u |row| |column|. All nine round by a little over 9
+/// u; 16 u are given. The entries of the shift round by 4 u (|p|_1 + |q|) each. All round by sqrt(3) of that; 8 u are
+/// given.
 RoundedTransform after(const RoundedTransform& outer, const RoundedTransform& inner) {
   RoundedTransform both{};
   for (std::size_t i = 0; i < 3; ++i)
@@ -73,7 +75,7 @@ RoundedTransform after(const RoundedTransform& outer, const RoundedTransform& in
   return both;
 }
 
-/// Errors of single entries become norms: three times as large for nine entries, sqrt(3) times for three.
+/// Errors of single entries become norms. These are three times as large for nine entries, sqrt(3) times for three.
 RoundedTransform with_norms(RoundedTransform transform) {
   transform.turn_error *= 3;
   transform.shift_error *= kRootOfThree * kRoundedUp;
@@ -100,7 +102,7 @@ Point turned_by(const RigidChain& chain, double time, const Point& direction) {
 
 namespace {
 
-/// Is a b exactly c d? False also where two doubles cannot hold a product.
+/// True if a b is exactly c d. False also where two doubles cannot hold a product.
 bool are_equal_products(double a, double b, double c, double d) {
   const auto is_held = [](double x, double y) { return x == 0 || y == 0 || std::fabs(x * y) > 0x1p-900; };
   const DoubleDouble left = DoubleDouble::product_of(a, b), right = DoubleDouble::product_of(c, d);

@@ -1,5 +1,5 @@
-// How a chain of links moves a body: where it is at a time, in doubles with error bounds, and how much the curves of
-// its points bend.
+// How a chain of links moves a body. Gives its place at a time, in doubles with error bounds, and bounds how much the
+// curves of its points bend.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -67,8 +67,8 @@ Point turned_by(const RigidChain& chain, double time, const Point& direction);
 inline bool operator==(const Pose& a, const Pose& b) { return a.position == b.position && a.rotation == b.rotation; }
 inline bool operator==(const RigidLink& a, const RigidLink& b) { return a.start == b.start && a.end == b.end; }
 
-/// The number of outer links that two chains share. They carry both bodies along, so the bodies move relative to each
-/// other as if the chains began behind them (docs/numerics/curves.md, "Bodies that turn together").
+/// The number of outer links that two chains share. They carry both bodies along. So the bodies move relative to each
+/// other as if the chains began behind these links (docs/numerics/curves.md, "Bodies that turn together").
 inline std::size_t shared_links(const RigidChain& a, const RigidChain& b) {
   std::size_t count = 0;
   while (count < a.size() && count < b.size() && a[count] == b[count]) ++count;
@@ -80,7 +80,7 @@ inline RigidChain without(const RigidChain& chain, std::size_t links) {
   return {chain.begin() + static_cast<std::ptrdiff_t>(links), chain.end()};
 }
 
-/// The fixed axis about which all points turn: the rotation vectors of all links from the outermost to the last that
+/// The fixed axis about which all points turn. The rotation vectors of all links from the outermost to the last that
 /// turns are exactly parallel to it. Zeros if they are not parallel, or if no link turns.
 Point fixed_axis(const RigidChain& chain);
 
@@ -92,7 +92,7 @@ class ChainBounds {
   /// Bounds for a point no farther than `from_origin` from the origin of its body's frame. In that frame it moves by
   /// `displacement`. Linear in `from_origin`, but for rounding.
   Curvature of(double from_origin, double displacement) const;
-  /// Does any link turn? If not, points go straight.
+  /// True if any link turns. If not, points go straight.
   bool turns() const { return turns_; }
 
  private:

@@ -1,4 +1,4 @@
-// Turns intervals into answers of a path: numbers, each with a bound of its error.
+// Turns intervals into answers of a path. These are numbers, each with a bound of its error.
 #pragma once
 #include <algorithm>
 

@@ -25,7 +25,7 @@ constexpr const char* kGiveRotation = ": give a rotation, which rounding may hav
 
 using Rows = std::array<Point, 3>;
 
-/// The largest difference of an entry of R R^T from the identity's; or the first beyond kMostRounding, which may be
+/// The largest difference of an entry of R R^T from the identity's. Or the first beyond kMostRounding, which may be
 /// NaN.
 double off_from_rotation(const Rows& rows) {
   double off = 0;
@@ -83,8 +83,8 @@ Pose pose_of_quaternion(const std::array<double, 4>& q, const Point& position) {
   return {position, rotation_vector(q[0], {q[1], q[2], q[3]})};
 }
 
-/// The quaternion's largest component is found from the diagonal, the others from sums and differences of the entries
-/// beside it (Shepperd 1978).
+/// The quaternion's largest component is found from the diagonal. The others come from sums and differences of the
+/// entries beside it (Shepperd 1978).
 Pose pose_of_matrix(const std::array<Point, 3>& given, const Point& position) {
   const ComputingState state;
   const double off = off_from_rotation(given);
@@ -136,8 +136,8 @@ Pose pose_at(const RigidChain& chain, double time) {
 }
 
 /// With H half the angle of the turn, the blend q goes straight from (1, 0) to (cos H, sin H). Its angle h has the rate
-/// h' = sin H / |q|^2, so that |h''| <= M = 4 sin H sin^2(H/2) / cos^4(H/2). h - t H is zero at 0, 1/2 and 1, so it is
-/// at most M / 32. The turn differs by twice as much. The factor 1 + 2^-20 is far above all rounding.
+/// h' = sin H / |q|^2, so |h''| <= M = 4 sin H sin^2(H/2) / cos^4(H/2). h - t H is zero at 0, 1/2 and 1, so it is at
+/// most M / 32. The turn differs by twice as much. The factor 1 + 2^-20 is far above all rounding.
 double nlerp_deviation(const Pose& start, const Pose& end) {
   const ComputingState state;
   require_finite(start, end);

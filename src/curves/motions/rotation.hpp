@@ -26,7 +26,7 @@ std::array<Vec3<T>, 3> rows_of(const Vec3<T>& w, const CosineSinc<T>& half) {
            {xz - a * w.y, yz + a * w.x, one - (xx + yy)}}};
 }
 
-/// From the square of phi, in [0, 1], by the alternating series. Its terms fall, so the rest after any term lies
+/// From the square of phi, in [0, 1], by the alternating series. Its terms fall. So the rest after any term lies
 /// between 0 and the next term. No promise of a library's sine is needed.
 inline CosineSinc<FineInterval> small_angle(const FineInterval& square) {
   constexpr int kTerms = 16;  // 32! > 2^117
@@ -39,7 +39,8 @@ inline CosineSinc<FineInterval> small_angle(const FineInterval& square) {
   return result;
 }
 
-/// Any angle: halved until it is small, then doubled again: cos 2x = 2 cos^2 x - 1, sin 2x / 2x = (sin x / x) cos x.
+/// Any angle. It is halved until it is small, then doubled again: cos 2x = 2 cos^2 x - 1, sin 2x / 2x = (sin x / x) cos
+/// x.
 inline CosineSinc<FineInterval> any_angle(FineInterval square) {
   constexpr int kMostHalvings = 500;
   const FineInterval one(1), two(2), quarter(0.25), unknown(DoubleDouble(-1), DoubleDouble(1));

@@ -36,7 +36,8 @@ double length_above(std::initializer_list<std::pair<double, const Point*>> terms
   return tamis::length_above({along(0), along(1), along(2)});
 }
 
-/// The piece that holds a time, and exactly how far the time lies beyond the piece's first frame, in pieces.
+/// The piece that holds a time, and how far the time lies beyond the piece's first frame. The latter is exact, in
+/// pieces.
 struct PieceTime {
   std::size_t piece;
   FineInterval beyond;
@@ -80,8 +81,8 @@ void SplinePath::points_at(double time, std::span<const Index> vertices, std::sp
     rounded.push_back(rounded_number(w));
     error = std::max(error, rounded.back().error);
   }
-  // Each product rounds once, and each of as many sums: (n + 1) u of the sum of absolute values. 2 (n + 1) u covers
-  // this bound's own rounding as well.
+  // Each product rounds once, and each of as many sums. That makes (n + 1) u of the sum of absolute values. 2 (n + 1) u
+  // covers this bound's own rounding as well.
   const double each = static_cast<double>(rounded.size() + 1) * 0x1p-52;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto v = at(vertices[i]);
@@ -115,7 +116,7 @@ void SplinePath::deviations(double from, double to, std::span<const Index> verti
                             std::span<double> deviations) const {
   const ComputingState state;
   const Interval factor = chord_factor(Interval(to) - Interval(from));
-  // x' has no jumps, so the largest |x''| of all pieces touched bounds the deviation.
+  // x' has no jumps. So the largest |x''| of all pieces touched bounds the deviation.
   const std::size_t first = piece_at(from, acceleration_.size()).piece, last = piece_at(to, acceleration_.size()).piece;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     double largest = 0;

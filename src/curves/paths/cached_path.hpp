@@ -1,5 +1,5 @@
-// A caller's path with a cache of positions. Pairs that are cut at the same times share the cost of these positions,
-// such as the poses of turning bodies.
+// A caller's path with a cache of positions. Pairs that are cut at the same times share the cost of these positions.
+// The poses of turning bodies are an example.
 #pragma once
 #include <vector>
 
@@ -43,7 +43,7 @@ class CachedPath final : public Path {
   const MeshMoment* cached_at(double time) const;
   /// True if the time is among the last kMostTimesSeen requested. If not, stores it.
   bool was_seen(double time) const;
-  /// Copies positions from the cache; returns false if a vertex is not among the used ones.
+  /// Copies positions from the cache. Returns false if a vertex is not among the used ones.
   bool copy(const MeshMoment& from, std::span<const Index> vertices, std::span<Point> points,
             std::span<double> errors) const;
 

@@ -1,6 +1,6 @@
 // A pair on a piece of its path: the motion of its chords, and the certificates for the curves. With x(t) = chord(t) +
 // s(t) and |s(t)| <= deviation, moving both ends of the chord by the same s(t) gives x(t). So Bernstein coefficients
-// computed from ends that are widened by the deviation hold for the curve, and the filters for straight motion run on
+// computed from ends that are widened by the deviation hold for the curve. The filters for straight motion run on
 // intervals (docs/numerics/curves.md, "Curved motion").
 #pragma once
 #include <cmath>
@@ -26,7 +26,7 @@ class Chords {
 
   /// The vectors of the pair at both ends, widened by the deviations.
   PairMotion<I> motion() const { return motion(deviations_); }
-  /// The same vectors without the deviations: they enclose the pair at both ends, but not between.
+  /// The same vectors without the deviations. They enclose the pair at both ends, but not between.
   PairMotion<I> at_ends() const { return motion(Deviations{}); }
 
   /// True if the pair is proven farther apart than the separation. Tries an axis that turns linearly from the gap of
@@ -84,8 +84,8 @@ class Chords {
   }
 
   /// For features that lie, or nearly lie, in planes orthogonal to the direction d. Tries d itself as the axis, then
-  /// the features' normals, since the planes may be tilted a little, then the normals of their sides in that plane.
-  /// Closest points give no axis if the gap is no larger than rounding, and a coarse one if it is little larger.
+  /// the features' normals, since the planes may be tilted a little. Then tries the normals of their sides in that
+  /// plane. Closest points give no axis if the gap is no larger than rounding, and a coarse one if it is little larger.
   bool direction_proves_free(const PairMotion<I>& ends, const Vec3<I>& d, double separation) const {
     const double deviation = *std::max_element(deviations_.begin(), deviations_.end());
     const double thin = separation + 8 * std::max(deviation, from_.error);
@@ -152,8 +152,8 @@ int side_of(const Vec3<BasicInterval<T>>& e, const Vec3<BasicInterval<T>>& f, co
   return k.lower > T(0) ? 1 : k.upper < T(0) ? -1 : 0;
 }
 
-/// Do the features cross, each strictly inside the other, whenever their four points are coplanar during the motion?
-/// Proven if the side polynomials of NCF have the strict signs of the inside.
+/// True if the features cross, each strictly inside the other, whenever their four points are coplanar during the
+/// motion. Proven if the side polynomials of NCF have the strict signs of the inside.
 template <PairKind kind, class T>
 bool stays_inside(const PairMotion<T>& m) {
   const auto n = normal_polynomial(m.e, m.f);

@@ -38,7 +38,7 @@ TimeInterval<double> window_of(const PairMotion<BasicInterval<T>>& widened, int 
 /// Limits for one pair: parts that are looked at in doubles, and in double-double. Either takes half a second.
 constexpr int kMostParts = 1 << 17, kMostFineParts = 1 << 13;
 /// Cutting sharpens proofs while deviations exceed the errors of positions. Below that it helps only because chords
-/// turn less on shorter parts, which matters for parts longer than this.
+/// turn less on shorter parts. This matters for parts longer than this.
 template <class T>
 constexpr double kShortest = 0x1p-6;
 template <>
@@ -58,7 +58,7 @@ class PathSolver {
   int parts_looked_at() const { return parts_.taken(); }
 
  private:
-  /// The final decision if the part holds the earliest time not proven free; nothing if it is free or was cut.
+  /// The final decision if the part holds the earliest time not proven free. Nothing if it is free or was cut.
   std::optional<Decision> decided_by(const PathPart<T>& part) {
     const Chords<kind, T> chords(part.from, part.to, part.deviations, reader_.directions());
     const auto ends = chords.at_ends();
@@ -104,8 +104,8 @@ class PathSolver {
     return to;
   }
 
-  /// May cutting make proofs sharper? In doubles not if the errors of positions are about as large as the gap. With a
-  /// gap that is far larger than errors and deviations the pair comes together later in the part.
+  /// True if cutting may make proofs sharper. In doubles it may not if the errors of positions are about as large as
+  /// the gap. With a gap that is far larger than errors and deviations the pair comes together later in the part.
   bool may_gain(const PathPart<T>& part, double gap_at_start) const {
     const double error = std::max(part.from.error, part.to.error);
     if (std::is_same_v<T, double> && !(gap_at_start > 8 * error)) return false;
@@ -113,8 +113,8 @@ class PathSolver {
     return deviation > 4 * error || part.length() > kShortest<T> || gap_at_start > 64 * (error + deviation);
   }
 
-  /// In double-double: are the features flat on each other at the end of the part, as far as it can tell, and is the
-  /// part a bracket? So lie features that turn in their common plane; shorter parts give no certificate either.
+  /// True if the features are flat on each other at the end of the part, as far as double-double can tell, and the part
+  /// is a bracket. Features that turn in their common plane lie like this. Shorter parts give no certificate either.
   bool is_touch_in_bracket(const PathPart<T>& part) const {
     if (std::is_same_v<T, double> || part.length() > question_.tolerance) return false;
     constexpr std::array<double, 4> kNoDeviations{};
@@ -133,7 +133,7 @@ class PathSolver {
     return true;
   }
 
-  /// Decides a part that this arithmetic gains nothing from cutting: doubles call double-double, whose answer is final.
+  /// Decides a part that this arithmetic gains nothing from cutting. Doubles call double-double, whose answer is final.
   std::optional<Decision> decided_further(const PathPart<T>& part, const PairMotion<BasicInterval<T>>& widened,
                                           bool crosses) {
     if constexpr (std::is_same_v<T, double>) {

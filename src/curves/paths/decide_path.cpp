@@ -10,8 +10,8 @@
 namespace tamis {
 namespace {
 
-/// The sign of the pair's coplanarity at a moment, by doubles, or where these cannot tell by double-double, which costs
-/// ten times as much. 0: neither can tell.
+/// The sign of the pair's coplanarity at a moment. Doubles compute it. Where they cannot tell, double-double does, at
+/// ten times the cost. 0: neither can tell.
 int side_at(PairKind kind, const PairReader& reader, const Moment<double>& moment) {
   return with_kind(kind, [&](auto k) {
     const auto known_side = [&]<class T>(const Moment<T>& at) {
@@ -35,7 +35,7 @@ ContactPlace place_on_path(const PathQuestion& question, const Decision& decisio
   return crossing_place(chord, {0, 1}, kind == PairKind::edge_edge ? -side : side);
 }
 
-/// Is the pair proven apart at this time?
+/// True if the pair is proven apart at this time.
 bool is_apart_on_path(const PathQuestion& question, double time) {
   const PairReader reader(question.path, question.vertices, time);
   const auto moment = reader.at<double>(time);

@@ -23,7 +23,7 @@ struct PathQuestion {
 /// wider than the tolerance. Throws Cancelled. REQUIRES: `kind` is a PairKind, `time` a part of [0,1].
 Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>& time);
 
-/// Recontact of a pair that may touch at the start of `time`: decides it from the first probed time at which it is
+/// The recontact of a pair that may touch at the start of `time`. Decides it from the first probed time when it is
 /// proven apart. Probes 2^-20, 2^-19, ... 2^-4 of `time` after its start, then each sixteenth. Returns nothing if the
 /// pair is proven apart at no probe.
 std::optional<Decision> decide_recontact_on_path(const PathQuestion& question, const TimeInterval<double>& time);

@@ -7,7 +7,7 @@ namespace tamis {
 // REQUIRES, both: `time` is a part of [0,1]. REQUIRES (not checked: history): `reader` reads the question's pair.
 
 /// decide_on_path for a pair without a separation. Cuts the path in time until each part is proven free or holds a
-/// crossing: the coplanarity d.(e x f) has different signs at the part's ends.
+/// crossing. At a crossing the coplanarity d.(e x f) has different signs at the part's ends.
 Decision first_crossing_on_path(const PathQuestion& question, const PairReader& reader,
                                 const TimeInterval<double>& time);
 
@@ -16,7 +16,7 @@ Decision first_crossing_on_path(const PathQuestion& question, const PairReader& 
 /// begins there.
 Decision first_within_on_path(const PathQuestion& question, const PairReader& reader, const TimeInterval<double>& time);
 
-/// At one time: is the distance beyond the separation, certainly?
+/// True if at one time the distance is certainly beyond the separation.
 bool is_apart_at(PairKind kind, const Moment<double>& moment, double separation);
 
 }  // namespace tamis

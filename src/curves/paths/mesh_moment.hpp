@@ -21,9 +21,9 @@ struct MeshMoment {
   std::vector<double> errors;
 };
 
-/// The radius of a vertex on its chord: its deviation, the error of its positions at both ends (`error`, on each axis),
-/// and its radius in `separations` (PathSearch::radii_to_search). Throws InvalidPath, naming the start of the piece,
-/// unless the sum is finite.
+/// The radius of a vertex on its chord is the sum of its deviation, the error of its positions at both ends (`error`,
+/// on each axis), and its radius in `separations` (PathSearch::radii_to_search). Throws InvalidPath, naming the start
+/// of the piece, unless the sum is finite.
 inline double chord_radius(Index vertex, double deviation, double error, double start, const Separations& separations) {
   double radius = (deviation + kRootOfThree * kRoundedUp * error) * (1 + 0x1p-50) + 0x1p-1000;
   if (!separations.radii.empty())

@@ -19,7 +19,7 @@ namespace tamis {
 namespace {
 
 constexpr double kShortestPiece = 0x1p-20;
-/// Shorter pieces than this follow the longest edge: parts of very different sizes would need a million pieces.
+/// Shorter pieces than this follow the longest edge. Parts of very different sizes would need a million pieces.
 constexpr double kShortestFinePiece = 0x1p-8;
 
 double longest_edge(const Mesh& mesh, const Positions& points) {
@@ -106,10 +106,10 @@ std::vector<double> MeshPieces::displacements(const MeshMoment& from, const Mesh
 }
 
 /// On either half of the piece the curve is within that half's bound of that half's chord. These two chords meet at the
-/// path's position in the middle. Relative to the piece's chord they lead from 0 to an offset D and back to 0, so they
+/// path's position in the middle. Relative to the piece's chord they lead from 0 to an offset D and back to 0. So they
 /// stay on the segment from 0 to D. Hence the curve is no farther than |D| / 2 plus the larger bound of the halves from
-/// the piece's chord shifted by D / 2. If bounds go by the square of the length, |D| is at most the piece's bound, and
-/// the bounds of the halves are a fourth of it: 1/2 + 1/4 = kShiftedChordPart.
+/// the piece's chord shifted by D / 2. If bounds go by the square of the length, |D| is at most the piece's bound. The
+/// bounds of the halves are a fourth of it: 1/2 + 1/4 = kShiftedChordPart.
 void MeshPieces::shift_chords(const MeshMoment& from, const MeshMoment& to) {
   chords_ = {from.points, to.points, deviations(from.time, to.time)};
   const MeshMoment middle = moment_at(0.5 * from.time + 0.5 * to.time);

@@ -1,5 +1,4 @@
-// The pieces of a mesh's path: where the vertices are at both ends of a piece, and how far they deviate from straight
-// motion between.
+// The pieces of a mesh's path. Each has the vertices at both ends, and their deviations from straight motion between.
 #pragma once
 #include <span>
 #include <vector>
@@ -10,8 +9,8 @@
 namespace tamis {
 
 /// How far all but a few vertices may deviate on the first piece, in mean fine edges, or in separations if these are
-/// longer; MeshPieces::adapt_length changes it for later pieces. Longer pieces leave more pairs to be decided on parts
-/// of them, shorter ones search the whole mesh more often.
+/// longer. MeshPieces::adapt_length changes it for later pieces. Longer pieces leave more pairs to be decided on parts
+/// of them. Shorter ones search the whole mesh more often.
 inline constexpr double kChordDeviationInEdges = 0x1p-6;
 /// If bounds go by the square of a piece's length, a vertex is no farther from its shifted chord (ShiftedChords) than
 /// this part of its bound on the piece.
@@ -47,10 +46,10 @@ class MeshPieces {
  private:
   /// The path's deviations between two times, checked.
   std::vector<double> deviations(double from, double to) const;
-  /// Of each vertex the larger of its deviations on both halves. Infinite if no double lies between `from` and `to`.
+  /// For each vertex the larger of its deviations on both halves. Infinite if no double lies between `from` and `to`.
   std::vector<double> half_deviations(double from, double middle, double to) const;
   double end_of(const MeshMoment& start) const;
-  /// The vector from the chord's middle to the path's position there; off by at most `error`.
+  /// The vector from the chord's middle to the path's position there. Off by at most `error`.
   struct ChordOffset {
     Point offset;
     double error;

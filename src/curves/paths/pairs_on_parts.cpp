@@ -13,9 +13,9 @@
 namespace tamis {
 namespace {
 
-/// A part with no more pairs than this is not cut further: they are decided.
+/// A part with no more pairs than this is not cut further. Its pairs are decided.
 constexpr std::size_t kFewPairs = 4;
-/// Deviations go by the square of the length on all paths here: after 10 halvings they are a million times smaller.
+/// Deviations go by the square of the length on all paths here. After 10 halvings they are a million times smaller.
 constexpr int kMostHalvingsOfPiece = 10;
 /// So many tests of a pair in lanes cost less than one decision on it.
 constexpr std::size_t kMostTestsPerPair = 64;

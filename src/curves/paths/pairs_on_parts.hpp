@@ -32,10 +32,10 @@ class PairsOnParts {
   /// Keeps the piece's references until the next call.
   void begin(const Piece& piece);
 
-  /// Is a pair that is apart before this time still wanted? Once it is not, it is not for later times.
+  /// True if a pair that is apart before this time is still wanted. Once it is not, it is not for later times.
   using Wants = std::function<bool(const Contact& pair, double from)>;
-  /// The places in Piece::pairs of the pairs to decide next, ascending: those that may touch in the earliest part that
-  /// has wanted pairs. Returns each pair once. Empty if no other pair is wanted. Throws InvalidPath and Cancelled.
+  /// The places in Piece::pairs of the pairs to decide next, ascending. These may touch in the earliest part that has
+  /// wanted pairs. Returns each pair once. Empty if no other pair is wanted. Throws InvalidPath and Cancelled.
   std::vector<std::int32_t> next(const Wants& wants);
 
  private:
@@ -56,7 +56,7 @@ class PairsOnParts {
                std::vector<std::int32_t> pairs, int halvings);
   void halve(const Part& part);
   void add_half(const Part& whole, const MeshMoment& from, const MeshMoment& to);
-  /// Tests pairs of one kind in lanes, and marks in may_touch_ those that may touch in the half.
+  /// Tests pairs of one kind in lanes. Marks the pairs that may touch in the half in may_touch_.
   void test(PairKind kind, std::span<const std::int32_t> pairs);
 
   const Kernels& kernels_;

@@ -39,7 +39,7 @@ class PathParts {
   }
   int taken() const { return taken_; }
 
-  /// Cuts a part in two; returns false if `time` does not lie strictly within it.
+  /// Cuts a part in two. Returns false if `time` does not lie strictly within it.
   bool cut(const PathPart<T>& part, double time) {
     if (!(time > part.from.time && time < part.to.time)) return false;
     const Moment<T> moment = reader_.at<T>(time);

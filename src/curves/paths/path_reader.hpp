@@ -1,4 +1,4 @@
-// Reads the vertices of a pair from its path, and checks the path's answers: a bound that is negative or not a number
+// Reads the vertices of a pair from its path, and checks the path's answers. A bound that is negative or not a number
 // is the caller's mistake, and throws InvalidPath.
 #pragma once
 #include <array>
@@ -22,7 +22,7 @@ struct Moment {
   double error = 0;  ///< the width of the widest interval
 };
 
-/// The middles of the intervals at two moments; finite even where an error is not.
+/// The middles of the intervals at two moments. They are finite even where an error is not.
 PairPoints points_between(const Moment<double>& from, const Moment<double>& to);
 
 /// Takes two points, one of each feature. Bounds the difference between their distance and the distance of their
@@ -42,8 +42,8 @@ inline constexpr StraightDirections kNoDirections{};
 /// Reads the vertices at a time, with all lengths multiplied by the power of two that brings the pair's size below 1.
 class PairReader {
  public:
-  /// Keeps the reference. Vertices as in Contact: those that the kind does not use are -1, and get the position of the
-  /// first. The power of two comes from the pair's size at `time_of_unit`.
+  /// Keeps the reference. Vertices as in Contact. Vertices that the kind does not use are -1, and get the position of
+  /// the first. The power of two comes from the pair's size at `time_of_unit`.
   PairReader(const Path& path, const PairVertices& vertices, double time_of_unit);
 
   double scale() const { return scale_; }

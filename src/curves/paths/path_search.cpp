@@ -71,9 +71,9 @@ PathSearch::PathSearch(const Mesh& mesh, const MeshOnPath& asked, Engine& engine
   TAMIS_ASSERT(radii.empty() || radii.size() == at(mesh.vertex_count()));
 }
 
-/// A pair of clearance c that keeps no more than f c has lost (1 - f) c, which is at most w, both features'
-/// displacements until then together. So f c is at most f / (1 - f) w. Each feature adds its own displacement's part:
-/// so whether a pair is looked at depends on the pair alone.
+/// A pair of clearance c that keeps no more than f c has lost (1 - f) c. That is at most w, both features'
+/// displacements until then together. So f c is at most f / (1 - f) w. Each feature adds its own displacement's part.
+/// So whether a pair is tested depends on the pair alone.
 std::vector<double> PathSearch::radii_to_search(const MeshMoment& to) const {
   std::vector<double> radii = neighbourhood_maximum(mesh_, query_.separations.radii);
   if (asked_.keep == 0) return radii;
@@ -128,7 +128,7 @@ void PathSearch::search_chords(const MeshMoment& from, const MeshMoment& to) {
   pieces_.adapt_length(candidates_.contacts().size());
 }
 
-/// Chords that come near after a time of the piece may be skipped where their curves may be skipped after it.
+/// If curves that come near after some time of the piece may be skipped, so may chords that come near after it.
 void PathSearch::begin_bound_on_piece(const TimeInterval<double>& piece) {
   bound_on_piece_.begin(1, query_.answers());
   for (std::size_t answer = 0; answer < query_.answers(); ++answer) {

@@ -33,10 +33,10 @@ class PathSearch {
   /// Keeps references. REQUIRES (not checked: O(n)): finite radii >= 0.
   PathSearch(const Mesh& mesh, const MeshOnPath& asked, Engine& engine, const Kernels& kernels, Statistics& statistics);
 
-  /// Every pair that touches, once, in no order. For `is_free` the search ends soon after the first. For `earliest`,
-  /// too, or with Query::each_of these are the first contacts of the pairs of bodies.
+  /// Every pair that touches, once, in no order. For `is_free` and `earliest` the search ends soon after the first.
+  /// With Query::each_of these are the first contacts of the pairs of bodies.
   std::vector<Contact> find();
-  /// The fraction of the path that all vertices may go so every pair keeps its part of its clearance. REQUIRES: an
+  /// The fraction of the path that all vertices may go while every pair keeps its part of its clearance. REQUIRES: an
   /// `earliest` query.
   SafeStep find_step_length();
 
@@ -54,11 +54,11 @@ class PathSearch {
   void decide_all(const MeshMoment& from, const MeshMoment& to);
   /// Decides the candidates at these places, in parallel, and lowers the bound.
   void decide(const TimeInterval<double>& piece, std::span<const std::int32_t> places);
-  /// Can the pair, which is apart before the time `from`, still change the answer?
+  /// True if the pair, which is apart before the time `from`, can still change the answer.
   bool wants(const Contact& pair, double from) const {
     return !bound_.is_settled() && from <= bound_.latest(query_.answer_of(pair.kind, pair.vertices));
   }
-  /// Is the pair, which is ignored at the start, still in its first contact at this time, the start of a piece?
+  /// True if the pair, which is ignored at the start, is still in its first contact at this time, the start of a piece.
   bool is_in_first_contact(const Contact& pair, double time) const {
     const auto found = in_contact_until_.find(key_of(pair));
     return time == 0 || (found != in_contact_until_.end() && found->second == time);
@@ -72,7 +72,7 @@ class PathSearch {
   MeshPieces pieces_;
   const MeshMoment start_;              ///< at t=0
   std::vector<double> searched_radii_;  ///< of the piece; deviations are added to these, vertex by vertex
-  Separations searched_;                ///< a pair that stays farther apart need not be looked at
+  Separations searched_;                ///< a pair that stays farther apart need not be tested
   Bound bound_;                         ///< in times of the path
   Bound bound_on_piece_;                ///< the same in times of the piece
   ContactCollector candidates_;
@@ -80,8 +80,8 @@ class PathSearch {
   std::vector<Contact> contacts_;
   /// Pairs that later pieces skip: the contacts, and pairs that do not move relative to each other.
   std::set<PairKey> settled_;
-  /// Ignored pairs, which touch at the start. Each has a time until which it is not known to have been apart: the end
-  /// of a piece, or the start of the piece where it separated. Removed when the pair touches again.
+  /// Ignored pairs, which touch at the start. Each has a time until which it is not known to have been apart. This is
+  /// the end of a piece, or the start of the piece where it separated. Removed when the pair touches again.
   std::map<PairKey, double> in_contact_until_;
 };
 

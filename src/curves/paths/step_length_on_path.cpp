@@ -1,5 +1,5 @@
-// Step lengths on curves. The distance that a pair must keep counts as its separation: the time at which it is reached
-// is found as with any other separation.
+// Step lengths on curves. The distance that a pair must keep counts as its separation. The time when it is reached is
+// found as with any other separation.
 #include "curves/paths/carried_pair.hpp"
 #include "curves/paths/decide_path.hpp"
 #include "curves/paths/path_reader.hpp"
@@ -9,7 +9,7 @@
 namespace tamis {
 namespace {
 
-/// The near pair of the rounded positions at t=0; its distance is in the path's unit.
+/// The near pair of the rounded positions at t=0. Its distance is in the path's unit.
 NearPair near_pair_at_start(const CarriedPair& carried, PairKind kind, const PairVertices& vertices) {
   const PairReader reader(carried.path(), carried.vertices(), 0);
   const auto moment = reader.at<double>(0);

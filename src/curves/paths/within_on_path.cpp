@@ -29,7 +29,7 @@ bool axis_proves_free(PairKind kind, const PathPart<double>& part, const Straigh
   });
 }
 
-/// At one time: is the distance within the separation, certainly?
+/// True if at one time the distance is certainly within the separation.
 bool touches_at(PairKind kind, const Moment<double>& moment, double separation) {
   const double allowed = separation - position_slack(moment.error);
   if (!(allowed > 0)) return false;

@@ -1,6 +1,6 @@
-// For how long is a pair apart along one axis? The axis is chosen for the pair and may turn with it. Along a fixed axis
-// each corner of the Minkowski difference moves linearly. Along one that turns at a constant rate, quadratically. Both
-// are sharper than a bound on the speed of the pair. For double and for SIMD lanes.
+// How long a pair is apart along one axis. The axis is chosen for the pair and may turn with it. Along a fixed axis
+// each corner of the Minkowski difference moves linearly. Along an axis that turns at a constant rate it moves
+// quadratically. Both are sharper than a bound on the speed of the pair. For double and for SIMD lanes.
 #pragma once
 #include <limits>
 
@@ -51,9 +51,9 @@ class AxisClip {
   T apart_since(const T& now, const TurningAxis<T>& axis) const {
     return (now - time_from(now, axis, T(-1))) * T(1 + 4 * error_bounds::unit_roundoff<T>);
   }
-  /// A pair lies beyond the separation along the axis at `now`: is it proven to have done so during the time `duration`
-  /// before? So it is if every corner comes nearer, or is far from the separation. Holds also where the axis is off by
-  /// 2 u a component.
+  /// For a pair that lies beyond the separation along the axis at `now`. True if it is proven to have done so during
+  /// the time `duration` before. This is proven if every corner comes nearer, or is far from the separation. Holds also
+  /// where the axis is off by 2 u a component.
   bool was_beyond(const T& now, const TurningAxis<T>& axis, const T& duration) const {
     const UnitAxis unit(axis);
     bool was = duration * unit.turning <= T(1);
@@ -63,7 +63,8 @@ class AxisClip {
     });
     return was;
   }
-  /// Are all corners proven beyond the separation along a direction, at `now` and for ever if the motion goes on?
+  /// True if all corners are proven beyond the separation along a direction, at `now` and for ever if the motion
+  /// continues.
   bool recedes_along(const T& now, const Vec3<T>& direction) const {
     bool parts = true;
     for_each_corner_bound(now, UnitAxis({direction}),
@@ -82,7 +83,7 @@ class AxisClip {
  private:
   using Corners = decltype(difference_corners<kind>(PairMotion<T>{}));
 
-  /// The axis scaled to a direction whose largest component is 1; the turn's largest is `turning`.
+  /// The axis scaled to a direction whose largest component is 1. The turn's largest is `turning`.
   struct UnitAxis {
     explicit UnitAxis(const TurningAxis<T>& axis) {
       const T inverse_size = T(1) / largest_component(axis.direction);
@@ -104,14 +105,14 @@ class AxisClip {
     return least;
   }
 
-  /// visit(c0, c1, c2, error_rate) for each corner: it lies beyond the separation at now + x by at least
-  /// c0 + c1 x - error_rate |x| + c2 x^2, while |x| times the turn is at most 1.
+  /// visit(c0, c1, c2, error_rate) for each corner. The corner lies beyond the separation at now + x by at least c0 +
+  /// c1 x - error_rate |x| + c2 x^2, while |x| times the turn is at most 1.
   template <class Visit>
   void for_each_corner_bound(const T& now, const UnitAxis& axis, const Visit& visit) const {
     constexpr double u = error_bounds::unit_roundoff<T>;
     const auto& [n, turn, turning] = axis;
     const T error = T(u) * size_ + T(error_bounds::underflow<T>);
-    // The axis' length is at most |n| + (n.turn / |n|) x + (turn.turn / 2|n|) x^2, x = t - now: a square root lies
+    // The axis' length is at most |n| + (n.turn / |n|) x + (turn.turn / 2|n|) x^2, x = t - now. A square root lies
     // below its tangent.
     const T length = sqrt(dot(n, n));
     const T threshold = separation_ * length * T(1 + 8 * u) + T(error_bounds::kAxisNow) * error;

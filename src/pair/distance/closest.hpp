@@ -1,5 +1,5 @@
-// Closest points of two features at one time, in doubles, double-doubles or lanes: for contact weights, distances, and
-// the axis along which the features are apart.
+// Closest points of two features at one time, in doubles, double-doubles or lanes. They give contact weights,
+// distances, and the axis along which the features are apart.
 #pragma once
 #include "numbers/select.hpp"
 #include "numbers/vec.hpp"
@@ -94,7 +94,7 @@ inline ClosestPoints closest_points(PairKind kind, const Vec3<double>& e, const 
   return with_kind(kind, [&](auto k) { return closest_points<k()>(e, f, d); });
 }
 
-/// The gap of the closest points, made orthogonal to the sides that have such a point in their inside: rounding, a few
+/// The gap of the closest points, made orthogonal to the sides that have such a point in their inside. Rounding, a few
 /// u of the features' size, would tilt a small gap. Of any length; zero or NaN where it has no direction.
 template <PairKind kind, class T>
 inline Vec3<T> orthogonal_gap(const Vec3<T>& e, [[maybe_unused]] const Vec3<T>& f, const ClosestPointsOf<T>& closest) {

@@ -1,5 +1,5 @@
-// As NearlyClosest, where features come close to one line: weights from cross products, which keep the digits that
-// differences of dot products lose there. Cost: about 100 operations for edges, 150 for a vertex and a face.
+// As NearlyClosest, where features come close to one line. Takes weights from cross products. These keep the digits
+// that differences of dot products lose there. Cost: about 100 operations for edges, 150 for a vertex and a face.
 #pragma once
 #include <algorithm>
 #include <iterator>

@@ -1,5 +1,5 @@
-// Is a pair proven to keep a fraction of its distance at t=0 until some time?
-// Error bound: kKeptGap. Cost: that of a turning gap.
+// Tests whether a pair is proven to keep a fraction of its distance at t=0 until some time. Error bound: kKeptGap.
+// Cost: as much as a turning gap.
 #pragma once
 #include "pair/distance/turning_gap.hpp"
 
@@ -19,13 +19,13 @@ class KeptGap {
     room_ = constant<T>(error_bounds::kAdvanceClearance) * size;
   }
 
-  /// Is the distance proven to exceed, until a time in [0,1], the sum of the separation, the fraction of its clearance
-  /// at t=0 and the advance clearance? By one axis, or by one in each of `parts` equal parts. With that clearance
-  /// advancement (keeps_distance_until) gives the same result.
+  /// True if the distance is proven to exceed a sum until a time in [0,1]. The sum is the separation, the fraction of
+  /// the clearance at t=0, and the advance clearance. By one axis, or by one in each of `parts` equal parts. With that
+  /// clearance advancement (keeps_distance_until) gives the same result.
   auto is_kept(const T& until, int parts = 1) const { return gap_.exceeds(kept_ + room_, start_, until, parts); }
 
-  /// Is the pair proven to keep the fraction on the whole step? Needs no advance clearance: in doubles it is a part of
-  /// keeps_distance_until, so the time of such a pair is 1 wherever it is asked.
+  /// True if the pair is proven to keep the fraction on the whole step. Needs no advance clearance. In doubles it is a
+  /// part of keeps_distance_until, so the time of such a pair is 1 everywhere.
   auto is_kept_to_end(int parts = 1) const { return gap_.exceeds(kept_, start_, T(1), parts); }
 
  private:

@@ -1,4 +1,4 @@
-// A vector from a point of one feature to one of the other, nearly the shortest: for proofs that hold with any such
+// A vector from a point of one feature to a point of the other, nearly the shortest. For proofs that hold with any such
 // vector, and succeed with a short one. Without branches, for lanes (after Ericson 2005, 5.1.5 and 5.1.9). Cost: about
 // 60 operations for edges, 100 for a vertex and a face.
 #pragma once

@@ -5,7 +5,7 @@
 
 namespace tamis {
 
-/// The axis along orthogonal_gap() of the closest points at `t`. It turns so it stays orthogonal to the same
+/// The axis along orthogonal_gap() of the closest points at `t`. It turns such that it stays orthogonal to the same
 /// sides.
 template <PairKind kind, class T>
 inline TurningAxis<T> orthogonal_axis(const PairMotion<T>& m, const T& t, const ClosestPointsOf<T>& closest) {

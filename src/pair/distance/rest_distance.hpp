@@ -1,6 +1,6 @@
-// The distance of two features at rest, between proven bounds, in doubles or in lanes: closest points bound it from
-// above, the axis along their gap from below. And the direction from one to the other, where doubles tell it; integers
-// tell the rest. Error bounds: kGap, kAxisNow. Cost: about 200 operations.
+// The distance of two features at rest, between proven bounds, in doubles or in lanes. Closest points bound it from
+// above. The axis along their gap bounds it from below. And the direction from one to the other, where doubles tell it.
+// Integers tell the rest. Error bounds: kGap, kAxisNow. Cost: about 200 operations.
 #pragma once
 #include "numbers/assert.hpp"
 #include "numbers/unit_vector.hpp"
@@ -55,8 +55,8 @@ template <PairKind kind, class T>
 inline DirectionApart<T> direction_apart(const PairMotion<T>& m, const T& time) {
   TAMIS_ASSERT(is_whole(m) && !any(!((time >= T(0)) & (time <= T(1)))));
   // If all corners of the difference are at least c g along a unit vector, g being the length of the gap, the gap is no
-  // more than acos(c) off that vector: below 1.01 sqrt(2 (1 - c)). g is off by kGap, which is small beside what `low`
-  // lost.
+  // more than acos(c) off that vector. This is below 1.01 sqrt(2 (1 - c)). g is off by kGap, which is small beside what
+  // `low` lost.
   constexpr double kSharp = 1 - 0x1p-20;
   const RestDistance<T> rest =
       rest_distance<kind>(at_time(m.e, time), at_time(m.f, time), at_time(m.d, time), m.size_d + m.size_e + m.size_f);

@@ -1,6 +1,6 @@
-// Does a pair's clearance at t=0, bounded from below on the 13 axes of the 26-DOP, suffice for its speed?
-// Error bound: twice that of a projection and of a velocity, so what is culled here is also beyond reach by the
-// bounds in doubles of pair/narrow/kept_distance.hpp. Cost: about 150 operations.
+// Tests whether a pair's clearance at t=0 suffices for its speed. The clearance is bounded from below on the 13 axes of
+// the 26-DOP. Error bound: twice the bounds of a projection and of a velocity. So a pair culled here is also beyond
+// reach by the bounds in doubles of pair/narrow/kept_distance.hpp. Cost: about 150 operations.
 #pragma once
 #include "numbers/axes.hpp"
 #include "numbers/error_bounds.hpp"
@@ -9,7 +9,7 @@
 namespace tamis {
 
 struct StartGap {
-  /// Is the clearance proven larger than `reach` times the relative speed?
+  /// True if the clearance is proven larger than `reach` times the relative speed.
   template <PairKind kind, class T>
   static auto exceeds(const PairMotion<T>& m, const T& reach) {
     const T size = m.size_d + m.size_e + m.size_f;

@@ -1,7 +1,7 @@
-// Is a pair proven to stay farther apart than a distance during some time? Along an axis that turns at a constant rate
-// from the closest points' gap at the start of that time to the gap at its end, the pair's corners are quadratics in
-// time, whose Bernstein coefficients bound them from below. So one axis proves a pair apart that turns as a whole.
-// Error bound: kTurningGap. Cost: about 350 operations.
+// Tests whether a pair is proven to stay farther apart than a distance during some time. The axis turns at a constant
+// rate from the closest points' gap at the start of that time to the gap at its end. Along it the pair's corners are
+// quadratics in time. Their Bernstein coefficients bound them from below. So one axis proves a pair apart that turns as
+// a whole. Error bound: kTurningGap. Cost: about 350 operations.
 #pragma once
 #include "numbers/assert.hpp"
 #include "pair/distance/nearly_closest.hpp"
@@ -29,12 +29,12 @@ class TurningGap {
   Vec3<T> gap(const T& t) const {
     return NearlyClosest::gap<kind>(at_time(m_.e, t), at_time(m_.f, t), at_time(m_.d, t));
   }
-  /// The length, or more where squares underflow: then an axis made with it is shorter than 1.
+  /// The length, or more where squares underflow. Then an axis made with it is shorter than 1.
   static T length(const Vec3<T>& v) { return sqrt(max(dot(v, v), constant<T>(error_bounds::underflow<T>))); }
   static Axis axis(const T& t, const Vec3<T>& gap) { return {t, (T(1) / length(gap)) * gap}; }
   Axis at(const T& t) const { return axis(t, gap(t)); }
 
-  /// Is the distance from one time in [0,1] to another larger than `least`, less the error kTurningGap?
+  /// True if the distance from one time in [0,1] to another is larger than `least`, less the error kTurningGap.
   Mask<T> exceeds(const T& least, const Axis& from, const Axis& until) const {
     const T half = constant<T>(0.5);
     T lowest = dot(from.along, at_time(m_.d, from.time));
@@ -60,11 +60,11 @@ class TurningGap {
     return result;
   }
 
-  /// Is the pair proven farther apart than its separation during `time`?
+  /// True if the pair is proven farther apart than its separation during `time`.
   Mask<T> stays_apart(const TimeInterval<T>& time, int parts) const {
     return exceeds(least(), at(time.t_in), time.t_out, parts);
   }
-  /// What exceeds() must be asked with to prove that.
+  /// The argument of exceeds() that proves that.
   T least() const {
     return m_.separation + error_bounds::bound<T>(error_bounds::kTurningGap, m_.size_d + m_.size_e + m_.size_f);
   }

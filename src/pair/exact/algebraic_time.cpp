@@ -31,7 +31,7 @@ void AlgebraicTime::halve() {
 
 void AlgebraicTime::refine() {
   const Integer at_lower = polynomial_.scaled_value(cell_), at_upper = polynomial_.scaled_value({cell_.n + 1, cell_.k});
-  // An end of the cell may itself be a root of the polynomial: then the signs at the ends do not differ.
+  // An end of the cell may itself be a root of the polynomial. Then the signs at the ends do not differ.
   if (refinement_ < 2 || at_lower.sign() * at_upper.sign() >= 0) {
     refinement_ = 4;
     return halve();
@@ -48,7 +48,7 @@ void AlgebraicTime::refine() {
 
 bool AlgebraicTime::is_root_of(const IntegerPolynomial& q) {
   IntegerPolynomial common = greatest_common_divisor(polynomial_, q);
-  // The divisor has at most one root in the cell, a simple one: the parity of its sign variations decides.
+  // The divisor has at most one root in the cell, a simple one. So the parity of its sign variations decides.
   if (common.degree() <= 0 || common.on(cell_).sign_variations() % 2 == 0) return false;
   polynomial_ = std::move(common);
   sign_before_ = polynomial_.on(cell_).sign_after_zero();
@@ -69,7 +69,7 @@ int AlgebraicTime::sign_of(const IntegerPolynomial& q) {
 bool AlgebraicTime::are_equal(const AlgebraicTime& a, const AlgebraicTime& b) {
   if (a.is_exact_ && b.is_exact_) return compare_lower_ends(a.cell_, b.cell_) == 0;
   if (a.is_exact_) return are_equal(b, a);
-  // A cell holds one root of its polynomial: an exact `b` in the cell of `a` is that root iff it is a root.
+  // A cell holds one root of its polynomial. An exact `b` in the cell of `a` is that root iff it is a root.
   if (b.is_exact_)
     return compare_lower_ends(a.cell_, b.cell_) < 0 && compare_lower_ends(b.cell_, a.upper_end()) < 0 &&
            a.polynomial_.sign_at(b.cell_) == 0;

@@ -16,7 +16,7 @@ class AlgebraicTime {
   /// The sign of `q` at this time: -1, 0 or 1, decided exactly. Narrows the cell as far as that needs.
   int sign_of(const IntegerPolynomial& q);
 
-  /// -1, 0 or 1 as `a` comes before `b`, is the same time or comes after it; decided exactly. Narrows both cells as far
+  /// -1, 0 or 1 as `a` comes before `b`, is the same time or comes after it. Decided exactly. Narrows both cells as far
   /// as that needs.
   friend int compare(AlgebraicTime& a, AlgebraicTime& b);
   /// A time strictly between the two, as the lower end of the cell. REQUIRES (not checked: exact): `a` before `b`.
@@ -31,13 +31,13 @@ class AlgebraicTime {
   /// The upper end of the cell, as the lower end of another: after the time, or the time itself if it is exact.
   DyadicCell upper_end() const { return is_exact_ ? cell_ : DyadicCell{cell_.n + 1, cell_.k}; }
   static bool are_equal(const AlgebraicTime& a, const AlgebraicTime& b);
-  /// Refines the time in the wider cell: if both were refined, the bits of one would double in each of the many steps
+  /// Refines the time in the wider cell. If both were refined, the bits of one would double in each of the many steps
   /// that the other may take. REQUIRES: not both are exact.
   static void narrow(AlgebraicTime& a, AlgebraicTime& b);
   /// If so, the greatest common divisor becomes the polynomial.
   bool is_root_of(const IntegerPolynomial& q);
   void halve();
-  /// Makes the cell smaller, quadratically (Abbott 2006): a straight line through the values at its ends says which of
+  /// Makes the cell smaller, quadratically (Abbott 2006). A straight line through the values at its ends tells which of
   /// 2^refinement_ smaller cells may hold the root. If signs confirm it, refinement_ doubles; else it is halved.
   void refine();
   /// Makes the cell one between neighbouring doubles, or exact. REQUIRES: 0 <= lower < upper <= 1.

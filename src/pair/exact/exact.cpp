@@ -29,7 +29,7 @@ IntegerPolynomial cross_along(std::size_t axis, const Moving<Integer>& x, const 
   });
 }
 
-/// One side of the polygon, from corner x to corner y: it holds the origin where x cross y = 0 and x.y <= 0.
+/// One side of the polygon, from corner x to corner y. It holds the origin where x cross y = 0 and x.y <= 0.
 struct Side {
   std::array<IntegerPolynomial, 3> cross;
   IntegerPolynomial dot;
@@ -60,8 +60,8 @@ class MovingPolygonTest {
         normal_(normal_polynomial(polygon)),
         coplanarity_(IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon.corner(0), normal_))) {}
 
-  /// Adds the times of touching at which a span of touching may begin or end: those at which the origin comes into the
-  /// polygon's plane or out of it. Where it is always in that plane, those at which it passes through a side.
+  /// Adds the times of touching at which a span of touching may begin or end. At these times the origin comes into the
+  /// polygon's plane or out of it. If it is always in that plane, it passes through a side at these times.
   void add_times(TouchingTimes& times) const {
     if (!coplanarity_.is_zero())
       return times.add_roots(coplanarity_, [&](AlgebraicTime& time) { return contains_origin(time); });
@@ -84,8 +84,8 @@ class MovingPolygonTest {
     return is_on_boundary(time);
   }
 
-  /// Does the polygon's projection along `axis` hold the origin? The projection is convex, with this orientation: it
-  /// does if the origin is on the inner side of all sides.
+  /// True if the polygon's projection along `axis` holds the origin. The projection is convex, with this orientation.
+  /// It does if the origin is on the inner side of all sides.
   bool contains_projected_origin(AlgebraicTime& time, std::size_t axis, int orientation) const {
     for (std::size_t i = 0; i < polygon_.corner_count; ++i)
       if (time.sign_of(cross_along(axis, polygon_.corner(i), polygon_.corner(i + 1))) == -orientation) return false;

@@ -6,13 +6,14 @@
 
 namespace tamis {
 
-/// Finds the first t in [0,1] at which the distance of the two closed features is at most `separation`. If that is
-/// zero, at which they share a point. All degeneracies are decided: the answer is never unsure, and the ends of its
-/// bracket are equal, or neighbouring doubles. A pair that is free until `latest` may be said to be free. REQUIRES:
+/// Finds the first t in [0,1] at which the distance of the two closed features is at most `separation`. With a
+/// separation of zero they share a point then. All degeneracies are decided. The answer is never unsure. The ends of
+/// its bracket are equal, or neighbouring doubles. A pair that is free until `latest` may be said to be free. REQUIRES:
 /// finite coordinates, a finite separation >= 0, `latest` in [0,1].
 Decision decide_exactly(PairKind kind, const PairPoints& points, double separation = 0, double latest = 1);
 
-/// Recontact: the same, but a pair that touches at t=0 counts only from when it touches again after it has come apart.
+/// Recontact. The same, but a pair that touches at t=0 counts only from the time when it touches again after it has
+/// separated.
 Decision decide_recontact_exactly(PairKind kind, const PairPoints& points, double separation = 0);
 
 /// The side of the second feature on which the first one is: the sign of its place along e x f

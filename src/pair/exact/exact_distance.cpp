@@ -36,7 +36,7 @@ class Description {
   using Vector = Vec3<Number>;
 
  public:
-  /// `polygon`: at the time in question; `points`: the motion, which gives the direction where the gap is zero.
+  /// `polygon`: at the time in question. `points`: the motion, which gives the direction where the gap is zero.
   Description(PairKind kind, const Polygon<Length>& polygon, const PairPoints& points)
       : kind_(kind),
         polygon_(polygon),
@@ -49,7 +49,7 @@ class Description {
     if (sign(nearest_.square.above) > 0) result.distance = root(nearest_.square);
     return result;
   }
-  /// Is the result of made() sure and sharp? Always true of integers.
+  /// True if the result of made() is sure and sharp. Always true of integers.
   bool is_sure() const { return is_sure_; }
 
  private:
@@ -100,7 +100,7 @@ class Description {
   }
 
   /// The gap's direction. If the gap is zero: the direction of its vanishing, against its velocity, less the part along
-  /// the side (at a corner the whole velocity counts).
+  /// the side. (At a corner the whole velocity counts.)
   Vec3<double> direction_on_side() {
     const std::size_t i = nearest_.side, j = i + 1;
     const Fraction<Number>& along = nearest_.along;

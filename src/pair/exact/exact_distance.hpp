@@ -6,7 +6,7 @@
 
 namespace tamis {
 
-/// As in NearPair, each off by a few u of itself; `direction` is along the gap (pair/distance/closest.hpp). If features
+/// As in NearPair, each off by a few u of itself. `direction` is along the gap (pair/distance/closest.hpp). If features
 /// touch, it is the direction of their approach. If they did not move, their normal, or zero without one.
 struct ExactDistance {
   double distance, u, v;
@@ -21,7 +21,7 @@ ExactDistance exact_distance(PairKind kind, const PairPoints& points, double tim
 std::optional<ExactDistance> estimated_distance(PairKind kind, const PairPoints& points);
 ExactDistance distance_in_integers(PairKind kind, const PairPoints& points, double time);
 
-/// The unit vector along e x f (pair/motion/pair_motion.hpp) at `time`; zero if e x f is.
+/// The unit vector along e x f (pair/motion/pair_motion.hpp) at `time`. Zero if e x f is.
 Vec3<double> exact_normal(PairKind kind, const PairPoints& points, double time);
 
 }  // namespace tamis

@@ -1,4 +1,4 @@
-// Exact algebra with a minimum separation s > 0: when do the features first come within s of each other?
+// Exact algebra with a minimum separation s > 0: finds when the features first come within s of each other.
 //
 // The distance is the distance of the origin to a moving convex polygon (pair/exact/moving_polygon.hpp). Where it first
 // falls to s, the nearest point is a corner, or lies inside a side or inside the polygon. Then one of these vanishes:

@@ -1,4 +1,4 @@
-// All kinds of pair as one question: does a moving convex polygon contain the origin?
+// All kinds of pair as one question: whether a moving convex polygon contains the origin.
 //   vertex-face: the triangle p-a, p-b, p-c;   edge-edge: the parallelogram b0-a0, b0-a1, b1-a1, b1-a0
 //   vertex-edge: the segment p-a, p-b;         vertex-vertex: the point p-q
 // (the Minkowski difference of the two features; the last two are polygons without area). Coordinates are integers,
@@ -39,19 +39,19 @@ using Polygon = PolygonOf<Vec3<Length>>;
 /// numbers, a kind there is.
 MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double separation = 0);
 
-/// The same at t=0, in the unit that the start alone needs, which makes numbers shorter. REQUIRES: as above.
+/// The same at t=0, in the unit that the start alone needs. This makes numbers shorter. REQUIRES: as above.
 template <class Number = Integer>
 Polygon<Number> start_polygon(PairKind kind, const PairPoints& points, double separation = 0);
 
-/// The same in words; nothing where 61 bits do not hold every coordinate, which is rare. REQUIRES: as above.
+/// The same in words. Nothing where 61 bits do not hold every coordinate, which is rare. REQUIRES: as above.
 std::optional<Polygon<Word>> start_polygon_in_words(PairKind kind, const PairPoints& points, double separation = 0);
 
 /// The displacement of each corner during the step, in a unit of its own. REQUIRES: as above.
 template <class Number>
 Polygon<Number> corner_velocities(PairKind kind, const PairPoints& points);
 
-/// As difference_polygon, with each axis times a power of two of its own: shorter numbers, the same times of touching,
-/// but no distances. The exponent means nothing. REQUIRES: as above.
+/// As difference_polygon, with each axis times a power of two of its own. Numbers are shorter and times of touching the
+/// same, but there are no distances. The exponent means nothing. REQUIRES: as above.
 MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points);
 
 /// The polygon at `time` of the step, the lower end of that cell. REQUIRES (not checked: exact): `time` is in [0,1].

@@ -1,4 +1,4 @@
-// The point of the difference polygon nearest to the origin: in integers, or in words or estimates, as long as they
+// The point of the difference polygon nearest to the origin, in integers. Also in words or estimates, as long as they
 // know every sign that is needed.
 #pragma once
 #include <array>
@@ -58,10 +58,10 @@ bool has_sign(const Number& x) {
     return true;
 }
 
-/// Takes the foot of the perpendicular if it lies inside, else the nearest point on the sides that part the two. In any
-/// case a side that holds the origin. No other side is nearer: as seen from the nearest point of a convex polygon, the
-/// foot lies along the outward normal of a side, or between the normals of two sides that meet, and so beyond one of
-/// them.
+/// Takes the foot of the perpendicular if it lies inside, else the nearest point on the sides that part the two. A side
+/// that holds the origin is always taken. No other side is nearer. As seen from the nearest point of a convex polygon,
+/// the foot lies along the outward normal of a side, or between the normals of two sides that meet, and so beyond one
+/// of them.
 template <class Length>
 class NearestPointSearch {
   using Area = AreaOf<Length>;
@@ -93,7 +93,7 @@ class NearestPointSearch {
     return x.sign();
   }
 
-  /// The nearest point of the segment from corner x to corner y; `across` is x cross y.
+  /// The nearest point of the segment from corner x to corner y. `across` is x cross y.
   OnSide nearest_on_side(const Vector& x, const Vector& y, const Vec3<Area>& across) {
     const Vector side = y - x;
     const Area before = dot(x, side);

@@ -31,7 +31,7 @@ DyadicCell cell_of_roots(const IntegerPolynomial& local, int roots, int end, uns
 
 /// Halves the cell, which soon tells ordinary roots apart. After kHalvings, roots that are still together are first
 /// sought where Newton's method puts them, in one of 2^bits smaller cells (Sagraloff, Mehlhorn 2016). If that cell has
-/// all the variations, the rest of this one has none, and so no root. The next try is among twice as many bits.
+/// all the variations, the rest of this one has none. So it has no root. The next try is among twice as many bits.
 void divide_cell(const RootCell& part, int variations, std::vector<RootCell>& parts) {
   constexpr int kHalvings = 3;
   const auto& [cell, local, depth, bits, is_right] = part;
@@ -57,13 +57,13 @@ DyadicCell cell_until(double latest) {
 
 }  // namespace
 
-/// Finds the roots from left to right, by a list of cells instead of recursion: exponents make cells thousands of
+/// Finds the roots from left to right, by a list of cells instead of recursion. Exponents make cells thousands of
 /// halvings deep.
 std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p, double latest) {
   TAMIS_ASSERT(!p.is_zero() && 0 <= latest && latest <= 1);
   const DyadicCell within = cell_until(latest);
   IntegerPolynomial polynomial = p, local = p.on(within);
-  // Bisection ends only if all roots are simple; one sign variation means one simple root already.
+  // Bisection ends only if all roots are simple. One sign variation means one simple root already.
   if (local.sign_variations() > 1) {
     polynomial = p.squarefree_part();
     local = polynomial.on(within);

@@ -1,4 +1,4 @@
-// The roots of an integer polynomial in [0,1], told apart by Descartes' rule, bisection (Collins, Akritas 1976) and
+// The roots of an integer polynomial in [0,1], separated by Descartes' rule, bisection (Collins, Akritas 1976) and
 // Newton's method (Sagraloff, Mehlhorn 2016).
 #pragma once
 #include <vector>

@@ -14,7 +14,7 @@ namespace {
 using IntegerVec = Vec3<Integer>;
 
 /// The largest squared speed of a corner. Every point of the polygon moves at a convex combination of corners'
-/// velocities, so none is faster.
+/// velocities. So none is faster than a corner.
 Integer squared_speed(const MovingPolygon& polygon) {
   Integer largest;
   for (std::size_t i = 0; i < polygon.corner_count; ++i) {
@@ -32,7 +32,7 @@ Fraction<Number> squared_excess(const Polygon<Length>& polygon, const Fraction<N
   return {square.above - s * s * square.below, square.below};
 }
 
-/// Is the origin within the separation of the polygon? Nothing where a sign is not certain.
+/// Whether the origin is within the separation of the polygon. Nothing where a sign is not certain.
 template <class Length>
 std::optional<bool> is_surely_within(const Polygon<Length>& polygon, double separation) {
   const auto nearest = NearestPointSearch<Length>::in(polygon);

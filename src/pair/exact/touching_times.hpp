@@ -16,8 +16,9 @@ class TouchingTimes {
   /// Times after `latest`, in [0,1], may be skipped.
   explicit TouchingTimes(Wanted wanted, double latest = 1) : wanted_(wanted), latest_(latest) {}
 
-  /// Adds the roots of `p` in [0,1] for which `holds(time)`, each a time of touching. Where only the first time of all
-  /// is wanted, the first such root. Of a polynomial that is always zero adds none: it begins and ends nothing.
+  /// Adds the roots of `p` in [0,1] for which `holds(time)`, each a time of touching. If only the first time of all is
+  /// wanted, adds only the first such root. Of a polynomial that is always zero it adds none: such a polynomial begins
+  /// and ends nothing.
   template <class Condition>
   void add_roots(const IntegerPolynomial& p, const Condition& holds) {
     if (p.is_zero()) return;
@@ -32,7 +33,7 @@ class TouchingTimes {
   }
 
   /// The first time of touching. Times are compared by their brackets, which ascend with them. Only for pairs that are
-  /// apart at t=0: a pair that moves within its plane may keep touching without any of these times.
+  /// apart at t=0. A pair that moves within its plane may keep touching without any of these times.
   Decision first() const {
     Decision first;
     for (const AlgebraicTime& time : times_) {
@@ -42,8 +43,8 @@ class TouchingTimes {
     return first;
   }
 
-  /// The first time of touching that a time without contact precedes; `touches(time)` decides single times. At the
-  /// start the pair may touch or not. Both ends of every span of touching must be among the times: then between two
+  /// The first time of touching that a time without contact precedes. `touches(time)` decides single times. At the
+  /// start the pair may touch or not. Both ends of every span of touching must be among the times. Then between two
   /// neighbours the pair touches always or never.
   template <class Condition>
   Decision first_recontact(const Condition& touches) {

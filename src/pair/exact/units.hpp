@@ -1,4 +1,5 @@
-// The largest unit that makes coordinates integers, so the integers are short. Also coordinates as words of 61 bits.
+// The largest unit that makes coordinates integers, so the integers are short. Also gives coordinates as words of 61
+// bits.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -38,7 +39,7 @@ inline int lowest_exponent(double x) {
 /// One for each axis.
 using Exponents = std::array<int, 3>;
 
-/// For each axis the lowest of `lowest` and the lowest_exponent() of the points' coordinates; INT_MAX if all are zero.
+/// For each axis the lowest of `lowest` and the lowest_exponent() of the points' coordinates. INT_MAX if all are zero.
 inline Exponents lowest_exponents(std::span<const Point> points, Exponents lowest = {INT_MAX, INT_MAX, INT_MAX}) {
   for (const Point& point : points)
     for (std::size_t k = 0; k < 3; ++k) lowest[k] = std::min(lowest[k], lowest_exponent(point[k]));

@@ -1,4 +1,4 @@
-// DNF, the deforming non-penetration filter (Tang, Manocha, Tong 2010): the four points are never coplanar, because
+// DNF, the deforming non-penetration filter (Tang, Manocha, Tong 2010). The four points are never coplanar. The proof:
 // all coefficients of the coplanarity cubic have one strict sign.
 // Error bound: error_bounds::kCoplanarity*. Cost: about 110 operations.
 #pragma once

@@ -8,8 +8,8 @@
 //
 // `proves_free` is true only where the pair is proven apart during the whole of the (possibly restricted) motion,
 // rounding included. Sizes that overflowed must come out false. A component is NaN only where its vector's size is NaN.
-// Positions are checked at the boundary. A difference of finite numbers is finite, or infinite as its size is then. T
-// is double, an interval, or SIMD lanes of doubles or floats.
+// Positions are checked at the boundary. A difference of finite numbers is finite, or it is infinite, and its size is
+// then, too. T is double, an interval, or SIMD lanes of doubles or floats.
 #pragma once
 #include <string_view>
 #include <type_traits>

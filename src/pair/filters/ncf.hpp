@@ -1,7 +1,7 @@
 // NCF, the deforming non-collinear filter, in its stronger form. The published test whether the triangle turns over is
 // omitted, because the strict signs imply it (paper/README.md).
 //   VF: the point stays on the outer side of one edge of the face. With n = (b-a) x (c-a) the opposite corner is
-//       always on the other side, (c-b).((b-a) x n) = -|n|^2, so one sign of the point's quartic suffices.
+//       always on the other side, (c-b).((b-a) x n) = -|n|^2. So one sign of the point's quartic suffices.
 //   EE: n = (a1-a0) x (b1-b0). Both ends of one edge stay strictly on one side of the plane through the other and n.
 // Error bound: error_bounds::kSide*. Cost: about 400 operations for VF, 470 for EE.
 #pragma once

@@ -36,8 +36,8 @@ struct SlabClip {
   }
 
  private:
-  /// The bound that a projected difference must exceed on an axis of this length: its error plus the separation, whose
-  /// own rounding is below 8 u of itself.
+  /// The bound that a projected difference must exceed on an axis of this length: its error plus the separation. The
+  /// separation's own rounding is below 8 u of itself.
   template <class T>
   static T margin_of(const PairMotion<T>& m, double axis_length) {
     const T error = error_bounds::bound<T>(error_bounds::kProjection, m.size_d + m.size_e + m.size_f);

@@ -27,7 +27,7 @@ inline auto difference_corners(const PairMotion<T>& m) {
   return difference_corners<kind>(m.e, m.f, m.d);
 }
 
-/// The velocity of the fastest corner: the relative velocity of any two points is a convex combination of the corners'
+/// The velocity of the fastest corner. The relative velocity of any two points is a convex combination of the corners'
 /// velocities.
 template <PairKind kind, class T>
 inline T squared_speed(const PairMotion<T>& m) {

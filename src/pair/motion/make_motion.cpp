@@ -15,7 +15,7 @@ using tamis::largest;
 /// Of the differences rounded to doubles.
 double largest(const Moving<DoubleDouble>& v) { return largest(Moving<double>{rounded(v.at0), rounded(v.at1)}); }
 
-/// 1, unless differences might overflow: then a power of two that keeps them below 2^1022. Coordinates small enough to
+/// 1, unless differences might overflow. Then a power of two that keeps them below 2^1022. Coordinates small enough to
 /// lose bits by that are far below `underflow`.
 double safe_unit(const PairPoints& points) {
   double largest = 0;

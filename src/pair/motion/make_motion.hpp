@@ -31,10 +31,10 @@ struct PairInStep {
   const PairMotion<double> motion;
 };
 
-/// The same motion in double-double, where no difference is rounded, and what underflows is below `underflow`.
+/// The same motion in double-double. No difference is rounded, and numbers that underflow are below `underflow`.
 PairMotion<DoubleDouble> make_fine_motion(const PairInStep& pair);
 
-/// The motion during the first `part` of the step, a power of two, mapped to [0,1] and scaled by its own size: as exact
+/// The motion during the first `part` of the step, a power of two, mapped to [0,1] and scaled by its own size. As exact
 /// as make_motion. Nothing if the motion is so small that underflow would count. REQUIRES: 0 < part <= 1.
 std::optional<PairMotion<double>> make_beginning(const PairInStep& pair, double part);
 

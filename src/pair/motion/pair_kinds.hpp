@@ -17,7 +17,8 @@ struct VertexDifference {
   std::size_t to, from;
 };
 
-/// The vectors of PairMotion. A side that a feature lacks is the difference of a vertex and itself: zero, exactly.
+/// The vectors of PairMotion. A side that a feature lacks is the difference of a vertex and itself. So it is exactly
+/// zero.
 struct SpanningVectors {
   VertexDifference e, f, d;
 };
@@ -38,10 +39,10 @@ constexpr SpanningVectors spanning_vectors(PairKind kind) {
 }
 
 /// Vertex-face and edge-edge meet by passing through each other, when their four vertices are coplanar. The others have
-/// no inside to pass through: they meet at single times, which hardly ever happens, or come near.
+/// no inside to pass through. They meet at single times, which hardly ever happens, or come near.
 constexpr bool can_cross(PairKind kind) { return kind == PairKind::vertex_face || kind == PairKind::edge_edge; }
 
-/// Is contact a matter of the distance? If not, of when the four points are coplanar.
+/// True if contact is a matter of the distance. If not, it is a matter of when the four points are coplanar.
 constexpr bool is_about_distance(PairKind kind, double separation) { return separation > 0 || !can_cross(kind); }
 
 /// The index, among the pair's vertices, of the second feature's first vertex.
@@ -69,7 +70,7 @@ constexpr std::span<const VertexDifference> difference_corners(PairKind kind) {
   return std::span(kVertexCorners).first(vertex_count(kind) - 1);
 }
 
-/// Calls f(kind) with the kind as a constant: in f, `kind()` can be a template argument. REQUIRES: a valid kind.
+/// Calls f(kind) with the kind as a constant. In f, `kind()` can be a template argument. REQUIRES: a valid kind.
 template <class F>
 decltype(auto) with_kind(PairKind kind, const F& f) {
   TAMIS_ASSERT(is_kind(kind));

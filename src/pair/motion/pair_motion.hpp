@@ -53,7 +53,7 @@ struct PairMotion {
 inline bool is_finite(const PairMotion<double>& m) { return std::isfinite(m.size_e + m.size_f + m.size_d); }
 
 /// True if this can be the motion of a whole step, with the sizes of just these vectors. Motions that are not finite,
-/// and number types other than double, are not checked: always true.
+/// and number types other than double, are not checked: true for these.
 inline bool may_be_whole(const PairMotion<double>& m) {
   return !is_finite(m) || (m.size_e == largest(m.e) && m.size_f == largest(m.f) && m.size_d == largest(m.d));
 }
@@ -61,14 +61,14 @@ template <class T>
 constexpr bool may_be_whole(const PairMotion<T>&) {
   return true;
 }
-/// Is the motion finite and not restricted?
+/// True if the motion is finite and not restricted.
 inline bool is_whole(const PairMotion<double>& m) { return is_finite(m) && may_be_whole(m); }
 template <class T>
 constexpr bool is_whole(const PairMotion<T>&) {
   return true;
 }
 
-/// Position of the vector at time t; off by at most 3 u times its size.
+/// Position of the vector at time t. Off by at most 3 u times its size.
 template <class T>
 inline Vec3<T> at_time(const Moving<T>& v, const T& t) {
   const T s = T(1) - t;

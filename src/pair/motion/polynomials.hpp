@@ -1,5 +1,5 @@
-// The polynomials in time of a pair's motion, as Bernstein coefficients without their binomials (a coefficient i of
-// degree n is C(n,i) times the Bernstein coefficient: only its sign matters for culling).
+// The polynomials in time of a pair's motion, as Bernstein coefficients without their binomials. (A coefficient i of
+// degree n is C(n,i) times the Bernstein coefficient. Only its sign matters for culling.)
 #pragma once
 #include <array>
 
@@ -34,8 +34,8 @@ inline std::array<T, 4> coplanarity_polynomial(const PairMotion<T>& m) {
   return coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
 }
 
-/// May the cubic be zero at t=0, within its error? Doubles cannot decide pairs that are coplanar there, as bodies at
-/// rest on each other often are.
+/// True if the cubic may be zero at t=0, within its error. Doubles cannot decide pairs that are coplanar there, as
+/// bodies at rest on each other often are.
 template <class T>
 inline Mask<T> may_start_coplanar(const PairMotion<T>& m) {
   const T k = dot(m.d.at0, cross(m.e.at0, m.f.at0));

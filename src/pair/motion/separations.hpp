@@ -1,4 +1,5 @@
-// Features this near count as touching: a distance for all pairs, and a radius for each of the two features.
+// Features within this distance count as touching. It is a distance for all pairs plus a radius for each of the two
+// features.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -14,7 +15,7 @@ struct Separations {
   double fixed = 0;
   std::span<const double> radii = {};  ///< one a vertex of the mesh; empty: all zero
 
-  /// Is there any? If not, contact means touching.
+  /// True if there is any separation. If not, contact means touching.
   bool any() const { return fixed > 0 || !radii.empty(); }
   /// The separation of one pair: a feature has the largest radius of its vertices. `v` as in Contact. REQUIRES: a
   /// radius for each vertex of `v`, or none at all.

@@ -12,12 +12,12 @@ struct TimeInterval {
   T t_in, t_out;
 };
 
-/// Where an interval of times is halved: at no simple fraction, as contacts happen at those, and a contact at a cut is
-/// undecided on both sides.
+/// Where an interval of times is halved: at no simple fraction. Contacts happen at simple fractions, and a contact at a
+/// cut is undecided on both sides.
 inline constexpr double kNearMiddle = 0.48713;
 inline double near_middle(double from, double to) { return from + kNearMiddle * (to - from); }
 
-/// Is the interval neither empty nor beyond the step? Checked for doubles alone.
+/// True if the interval is neither empty nor beyond the step. Checked for doubles alone.
 inline bool is_part_of_step(const TimeInterval<double>& time) {
   return 0 <= time.t_in && time.t_in <= time.t_out && time.t_out <= 1;
 }
@@ -31,9 +31,9 @@ class TimeClip {
  public:
   explicit TimeClip(const TimeInterval<T>& time) : time_(time) {}
 
-  /// Cuts the times at which the line from g0 (t=0) to g1 (t=1) is positive: those before its root if it falls, those
-  /// after it if it rises. Where the root is outside the step that is all or nothing, without a case of its own. A
-  /// constant line has its root at +infinity (cut all), -infinity (nothing) or NaN (nothing).
+  /// Cuts the times at which the line from g0 (t=0) to g1 (t=1) is positive. These are the times before its root if it
+  /// falls, the times after it if it rises. If the root is outside the step, this cuts all or nothing, without a case
+  /// of its own. A constant line has its root at +infinity (cut all), -infinity (nothing) or NaN (nothing).
   /// REQUIRES (not checked: exact): g0, g1 off by at most 2 u of themselves. NaN cuts nothing.
   void cut_positive(const T& g0, const T& g1) {
     const T fall = g0 - g1, root = Ratio<T>::of(g0, fall);

@@ -1,7 +1,7 @@
 // One step of conservative advancement for a minimum separation. It tells whether the pair is within the separation at
-// a time, and if not, until when it is certainly apart. The next time to probe is the end of that proof: Newton's
-// method on the distance, from the safe side. Double and SIMD lanes run the same lines, so a pair has the same bits in
-// both.
+// a time. If not, it tells until when the pair is certainly apart. The next time to probe is the end of that proof:
+// Newton's method on the distance, from the safe side. Double and SIMD lanes run the same code. So a pair has the same
+// bits in both.
 #pragma once
 #include "numbers/assert.hpp"
 #include "pair/distance/orthogonal_axis.hpp"
@@ -42,7 +42,7 @@ class SeparationProbe {
     const T length = sqrt(dot(closest.gap, closest.gap));
     return {closest, length, length * T(error_bounds::kLengthUp) + error_};
   }
-  /// Is the distance within the separation, certified?
+  /// True if the distance is certified to be within the separation.
   Mask<T> touches(const DistanceAt<T>& distance) const { return distance.at_most <= m_.separation; }
 
   /// The proof that the pair is apart from `t` on. `distance`: distance_at(t).

@@ -1,6 +1,6 @@
 // Doubles decide nearly every pair that crosses by one crossing, in the times that the slab clip on the coordinate axes
 // leaves. If that fails, by a crossing on each side of the cubic's turning point, in the times that the clip on all
-// axes leaves. A single pair and pairs in lanes run the same lines, so a pair has the same bits in both.
+// axes leaves. A single pair and pairs in lanes run the same code. So a pair has the same bits in both.
 #pragma once
 #include "pair/filters/slab_clip.hpp"
 #include "pair/narrow/crossing.hpp"
@@ -8,7 +8,7 @@
 
 namespace tamis {
 
-/// Adds a margin: where a face is orthogonal to an axis its clip ends at the contact itself, where no sign is certain.
+/// Adds a margin. Where a face is orthogonal to an axis its clip ends at the contact itself, where no sign is certain.
 template <class T>
 inline TimeInterval<T> widened(const TimeInterval<T>& time) {
   const T margin(1.0 / 1024);
@@ -16,7 +16,7 @@ inline TimeInterval<T> widened(const TimeInterval<T>& time) {
 }
 
 /// Restricts a crossing that was found in widened(clip) to `clip`. The result decides the pair if it is free or
-/// touches; a contact whose bracket is not sharp is not decided, so `touches` is false there.
+/// touches. A contact whose bracket is not sharp is not decided, so `touches` is false there.
 template <class T>
 inline Crossing<T> clipped_crossing(Crossing<T> c, const TimeInterval<T>& clip) {
   c.lower = max(c.lower, clip.t_in);

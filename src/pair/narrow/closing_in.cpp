@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostTries = 12;
 
-/// Half of the time is tried where all of it is too long for one axis: what closes in turns ever faster.
+/// Half of the time is tried where all of it is too long for one axis. A pair that closes in turns ever faster.
 template <PairKind kind>
 bool stays_apart(const PairMotion<double>& m, const TimeInterval<double>& time) {
   const TurningGap<kind, double> gap(m);

@@ -14,8 +14,8 @@ namespace {
 
 using Vec = Vec3<double>;
 
-/// A normal along e x f, of any length; zero if e x f is. In integers where rounding would tilt it by more than 2^-28,
-/// as of slivers: components are off by at most 20 u E F, as N in error_bounds.hpp.
+/// A normal along e x f, of any length; zero if e x f is. Computed in integers where rounding would tilt it by more
+/// than 2^-28, as for slivers. Components are off by at most 20 u E F, as N in error_bounds.hpp.
 Vec normal_at(const PairInStep& pair, double time) {
   const PairMotion<double>& m = pair.motion;
   const Vec normal = cross(at_time(m.e, time), at_time(m.f, time));
@@ -39,7 +39,7 @@ Point any_normal(const PairInStep& pair, double time) {
 }
 
 /// As side_just_before(), by the slope of the coplanarity where it is certain. Before the crossing the coplanarity has
-/// the side's sign for a vertex, the opposite one for edges, and it goes to zero from there.
+/// the side's sign for a vertex, the opposite one for edges. It goes to zero from there.
 int side_before_crossing(const PairInStep& pair, const TimeInterval<double>& time) {
   const double slope = crossing::least_slope_during(pair.motion, time);
   if (slope == 0) return side_just_before(pair.kind, pair.points, time.t_in);

@@ -1,7 +1,7 @@
 // One crossing: where the coplanarity cubic provably passes zero exactly once during the motion, certified signs
 // bracket the root, and the inside test compares the features there. This decides nearly every pair that reaches the
 // solver. The rest is cut in time first (pair/narrow/decide_in_doubles.cpp). One template for double and for SIMD
-// lanes; every lane's answer depends on that lane alone.
+// lanes. Every lane's answer depends on that lane alone.
 #pragma once
 #include "numbers/assert.hpp"
 #include "pair/filters/ncf.hpp"
@@ -35,7 +35,7 @@ inline T to_step(const TimeInterval<T>& part, const T& s, double direction) {
   return min(max(t + T(direction * 12 * error_bounds::unit_roundoff<T>) * part.t_out, part.t_in), part.t_out);
 }
 
-/// The place in [0,1] where a cubic whose ends have one sign turns. The middle where it does not turn so.
+/// The place in [0,1] where a cubic whose ends have one sign turns. The middle where there is no such place.
 template <class T>
 inline T turning_point(const std::array<T, 4>& k) {
   // K' = c0 s^2 + c1 s t + c2 t^2 with s = 1 - t; a root t/s > 0 where c0 and c2 differ in sign.
@@ -74,8 +74,8 @@ struct CrossingSearch {
     const T radius = T(1.5) * error / fall + T(8 * error_bounds::unit_roundoff<T>);
     const T t = crossing::to_step(part, s, 0);
     const Vec3<T> n = cross(at_time(step.e, t), at_time(step.f, t));
-    // K at t, from the vectors at t; and how far K falls, in spite of all rounding, within the radius. Where the slope
-    // proves no fall, the sign of K at t itself still tells on which side of t the root is.
+    // K at t, from the vectors at t. Also how far K falls, in spite of all rounding, within the radius. Where the slope
+    // proves no fall, the sign of K at t itself still tells the side of t on which the root is.
     const T value = dot(at_time(step.d, t), n), turned = select(rises, -value, value);
     const T length = part.t_out - part.t_in, bend = T(error_bounds::kBend) * length * length * unit;
     const T least_fall = fall - error_bounds::bound(error_bounds::kCoplanaritySlopeNow, unit) - radius * bend;
@@ -85,7 +85,8 @@ struct CrossingSearch {
     const T lower = crossing::to_step(part, max(s - radius, T(0)), -1);
     const T upper = crossing::to_step(part, min(s + radius, T(1)), 1);
     const auto sides = crossing::sides<kind>(step, n, t, max(upper - t, t - lower));
-    // K falls to zero if a vertex comes from n's side, and rises if the first edge does: d starts from that edge.
+    // K falls to zero if a vertex comes from n's side, and rises if the first edge does. This is because d starts from
+    // that edge.
     const T per_norm = sqrt(sides.per_norm2);
     const T along =
         kind == PairKind::vertex_face ? select(rises, -per_norm, per_norm) : select(rises, per_norm, -per_norm);
@@ -124,7 +125,7 @@ inline Crossing<T> find_crossing(const PairMotion<T>& step, const TimeInterval<T
   return search.at_root(crossing::find_root(search.cubic));
 }
 
-/// The crossings of two independent pairs: while the root of one is waited for, the other is worked on.
+/// The crossings of two independent pairs. While the root of one is waited for, the other is worked on.
 template <PairKind kind, class T>
 inline std::array<Crossing<T>, 2> find_two_crossings(const PairMotion<T>& step_a, const TimeInterval<T>& part_a,
                                                      const PairMotion<T>& step_b, const TimeInterval<T>& part_b) {
@@ -132,8 +133,8 @@ inline std::array<Crossing<T>, 2> find_two_crossings(const PairMotion<T>& step_a
                           CrossingSearch<kind, T>(step_b, coplanarity_polynomial(step_b), part_b));
 }
 
-/// As find_crossing, where one crossing is not enough: the part is cut where the cubic turns, and the first half that
-/// is not free gives the answer.
+/// As find_crossing, where one crossing is not enough. The part is cut where the cubic turns. The first half that is
+/// not free gives the answer.
 template <PairKind kind, class T>
 inline Crossing<T> find_crossing_in_halves(const PairMotion<T>& step, const TimeInterval<T>& part) {
   const auto whole = coplanarity_polynomial(step);

@@ -21,7 +21,7 @@ inline T slope(const std::array<T, 4>& k, const T& t) {
 }
 
 /// Newton's iteration kept inside a shrinking bracket, one iterate() at a time. It converges to one of the roots if
-/// k[0] > 0 > k[3]; else goes_on() is false from the start, and root() means nothing.
+/// k[0] > 0 > k[3]. Else goes_on() is false from the start, and root() means nothing.
 template <class T>
 class RootSearch {
  public:
@@ -66,7 +66,7 @@ inline T find_root(const std::array<T, 4>& k) {
   return search.root();
 }
 
-/// The roots of two cubics, interleaved: the divisions of one run while the other's are waited for.
+/// The roots of two cubics, interleaved. The divisions of one run while the other's are waited for.
 template <class T>
 inline std::array<T, 2> find_two_roots(const std::array<T, 4>& k, const std::array<T, 4>& other) {
   RootSearch<T> a(k), b(other);

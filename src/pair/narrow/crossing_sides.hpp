@@ -1,5 +1,5 @@
-// The inside test: do the features of a pair meet at the time at which their four points are coplanar? For double,
-// double-double and SIMD lanes.
+// The inside test: tells whether the features of a pair meet at the time when their four points are coplanar. For
+// double, double-double and SIMD lanes.
 #pragma once
 #include "numbers/error_bounds.hpp"
 #include "numbers/select.hpp"
@@ -8,8 +8,8 @@
 
 namespace tamis::crossing {
 
-/// u, v and per_norm2 have a meaning only where `inside`. There |n|^2 is larger than the margins that the sides exceed,
-/// so it can be a divisor.
+/// u, v and per_norm2 have a meaning only where `inside`. There |n|^2 is larger than the margins that the sides exceed.
+/// So it can be a divisor.
 template <class T>
 struct Sides {
   Mask<T> inside, outside;

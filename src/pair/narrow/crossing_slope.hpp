@@ -1,4 +1,5 @@
-// Does the coplanarity of a pair rise or fall during a time? Where it does either, it has one root there at most.
+// Tells whether the coplanarity of a pair rises or falls during a time. Where it does either, it has one root there at
+// most.
 #pragma once
 #include <cmath>
 

@@ -27,7 +27,7 @@ std::optional<Decision> decide_finely(const PairInStep& pair, const Decision& d)
   return first_within_finely(pair, {d.lower, d.upper});
 }
 
-/// True if axes between the features prove that they stay apart during `time`. For pairs whose cubic has no certain
+/// True if axes between the features prove that they stay apart during `time`. Serves pairs whose cubic has no certain
 /// sign at t=0, such as edges that slide beside each other in one plane. Costs a tenth of integers. REQUIRES (not
 /// checked: exact): apart outside `time`.
 bool stays_apart(const PairInStep& pair, const TimeInterval<double>& time) {
@@ -37,8 +37,8 @@ bool stays_apart(const PairInStep& pair, const TimeInterval<double>& time) {
 }
 
 /// The decision in doubles. Nothing where the pair may touch at the start, which double-double does not decide either.
-/// With a separation the whole step comes first, so a pair has the same bits as in lanes. Without one, beginnings come
-/// first: the whole step of a pair that goes far would be cut into many parts.
+/// With a separation the whole step comes first. So a pair has the same bits as in lanes. Without one, beginnings come
+/// first. The whole step of a pair that goes far would be cut into many parts.
 std::optional<Decision> decide_by_doubles(const PairInStep& pair, const TimeInterval<double>& clip) {
   const PairMotion<double>& m = pair.motion;
   if (is_about_distance(pair.kind, m.separation)) {
@@ -50,13 +50,13 @@ std::optional<Decision> decide_by_doubles(const PairInStep& pair, const TimeInte
   return stays_apart(pair, clip) ? std::optional(Decision{}) : std::nullopt;
 }
 
-/// Is the answer of integers not needed?
+/// True if the answer of integers is not needed.
 bool is_needless(const PairInStep& pair, const TimeInterval<double>& clip, double needed_until) {
   return needed_until < 1 && (clip.t_in > needed_until || stays_apart_closing_in(pair, {clip.t_in, needed_until}));
 }
 
-/// Can doubles not tell sharply when the pair touches, should it touch about this time? Proven where the coplanarity is
-/// so flat that no crossing is sharp, nor would be in a beginning of the step until then.
+/// True if doubles cannot tell sharply when the pair touches, should it touch about this time. Proven where the
+/// coplanarity is so flat that no crossing is sharp, nor would be in a beginning of the step until then.
 bool is_flat_at(const PairInStep& pair, double time) {
   constexpr double kWidestSharp = 1e-11, kMargin = 0.125;
   const PairMotion<double>& m = pair.motion;

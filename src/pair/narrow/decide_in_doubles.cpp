@@ -1,5 +1,5 @@
-// Decides one pair during a time in doubles: by the slab clip, and in the times that it leaves by subdivision, or with
-// a separation by advancement.
+// Decides one pair during a time in doubles. The slab clip comes first. In the times that it leaves, subdivision
+// decides, or with a separation advancement.
 #include <algorithm>
 #include <vector>
 
@@ -18,7 +18,7 @@ namespace {
 // Limits of the work for one pair.
 /// The shortest part that is cut further, and the widest bracket of a crossing that is not: fractions of the step.
 constexpr double kShortestPart = 0x1p-44, kNarrowBracket = 0x1p-30;
-/// The most parts that are looked at, and of these the most coplanar throughout: cutting such parts helps only NCF.
+/// The most parts that are tested, and of these the most coplanar throughout. Cutting such parts helps only NCF.
 constexpr int kMostPartsOfStep = 96, kMostCoplanarParts = 2;
 constexpr std::size_t kMostWaiting = 64;
 
@@ -36,8 +36,8 @@ Coplanarity coplanarity(const PairMotion<double>& m) {
   return {at_start, at_end, at_start && at_end && abs(k[1]) <= middle && abs(k[2]) <= middle};
 }
 
-/// Where to cut an undecided part: near an end at which the points are coplanar (contacts at the very start of a step
-/// are common), otherwise near the middle.
+/// Where to cut an undecided part: near an end where the points are coplanar, otherwise near the middle. (Contacts at
+/// the very start of a step are common.)
 double cut_at(const Coplanarity& points, const TimeInterval<double>& part) {
   constexpr double kNearEnd = 0.03137;  // no simple fraction, like kNearMiddle
   const double s = points.at_start == points.at_end ? kNearMiddle : points.at_start ? kNearEnd : 1 - kNearEnd;

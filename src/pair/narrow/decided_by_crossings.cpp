@@ -1,4 +1,5 @@
-// Decides one pair by one certified crossing, or by two in halves of its time, as lanes do: enough for most pairs.
+// Decides one pair by one certified crossing, or by two in halves of its time, as lanes do. This is enough for most
+// pairs.
 #include "pair/filters/slab_clip.hpp"
 #include "pair/narrow/clipped_crossing.hpp"
 #include "pair/narrow/decisions.hpp"
@@ -6,7 +7,7 @@
 namespace tamis {
 namespace {
 
-/// Decides the pair by one crossing in the times that the clip on the coordinate axes leaves. Or, by `axes`, by two
+/// Decides the pair by one crossing in the times that the clip on the coordinate axes leaves. With all axes: by two
 /// crossings in the times that the clip on all axes leaves. Nothing where that is not enough.
 template <PairKind kind, SlabClip::Axes axes>
 std::optional<PairResult> decided_after_clip(const PairMotion<double>& m, double latest) {

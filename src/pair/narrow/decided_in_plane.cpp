@@ -21,7 +21,7 @@ std::size_t shared_coordinate(const PairPoints& points) {
 }
 
 /// The points of the edges, with the edge of `end` replaced by the upright: a line through that end along `axis`. Each
-/// half of the upright is as long as the largest coordinate, so neither of its ends is rounded into the plane.
+/// half of the upright is as long as the largest coordinate. So neither of its ends is rounded into the plane.
 PairPoints with_upright(const PairPoints& points, std::size_t end, std::size_t axis) {
   double height = 0;
   for (const auto* at : {&points.start, &points.end})
@@ -43,7 +43,8 @@ struct Meeting {
   std::size_t end;
   PairResult crossing;
 
-  /// The pair's answer: the bracket that integers would give, weights on its own edges; nothing if that is unproven.
+  /// The pair's answer: the bracket that integers would give, and weights on its own edges. Nothing if that is
+  /// unproven.
   std::optional<PairResult> described(const PairPoints& points, std::size_t axis) const {
     const PairPoints upright = with_upright(points, end, axis);
     const auto time = decide_crossing_finely({PairKind::edge_edge, upright},

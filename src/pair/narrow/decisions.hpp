@@ -15,8 +15,8 @@ namespace tamis {
 
 // 0. Nothing matters but whether the pair is free until a time: closing_in.cpp.
 
-/// Is the pair proven farther apart than its separation during `time`? Succeeds up to shortly before a time at which
-/// whole scenes come to one line or point: there signs are lost, but axes orthogonal to the line are not. Costs a
+/// True if the pair is proven farther apart than its separation during `time`. Succeeds up to shortly before a time
+/// when whole scenes come to one line or point. There signs are lost, but axes orthogonal to the line are not. Costs a
 /// thousand instructions where one axis suffices. REQUIRES: `time` in [0,1], in order.
 bool stays_apart_closing_in(const PairInStep& pair, const TimeInterval<double>& time);
 
@@ -26,7 +26,7 @@ bool stays_apart_closing_in(const PairInStep& pair, const TimeInterval<double>& 
 /// that is free until `latest` may be said to be free.
 std::optional<PairResult> decided_by_crossings(const PairInStep& pair, double latest);
 
-/// Does the clip prove the pair free until `latest`?
+/// True if the clip proves the pair free until `latest`.
 inline bool is_proven_free(const TimeInterval<double>& clip, double latest) {
   return clip.t_in > clip.t_out || clip.t_in > latest;
 }
@@ -62,14 +62,14 @@ inline bool is_sharp_answer(const Decision& d) { return d.is_free() || (d.touche
 /// unsure, it does not touch outside of these times.
 std::optional<Decision> decide_crossing_finely(const PairInStep& pair, const Decision& coarse);
 
-/// A contact between neighbouring doubles: the pair is apart until the first, and within its separation at the second.
+/// A contact between neighbouring doubles. The pair is apart until the first, and within its separation at the second.
 /// Nothing where double-double does not prove that. Costs some twelve thousand instructions. REQUIRES: sizes that are
 /// finite; the pair is apart on [0, bracket.t_in); the bracket lies in [0,1].
 std::optional<Decision> first_within_finely(const PairInStep& pair, const TimeInterval<double>& bracket);
 
 // Instead of all these stages, for a pair within its separation at t=0 where such contacts are ignored: recontact.cpp.
 
-/// Finds when the pair is first within its separation again after it has left it: free if it never leaves, or never
+/// Finds when the pair is first within its separation again after it has left it. Free if it never leaves, or never
 /// comes back. Nothing where doubles cannot tell when, or whether, it leaves (docs/numerics/distances.md, "Ignored at
 /// the start"). REQUIRES: the motion of the whole step, finite; a separation > 0.
 std::optional<Decision> first_recontact_within(PairKind kind, const PairMotion<double>& m);

@@ -1,6 +1,6 @@
 // Decides in double-double a crossing that doubles leave undecided. Either the pair is known to touch, and the time is
-// sought. Or the pair passes close to a border of its features, and may touch. The answer is that of exact algebra, in
-// a fraction of its time.
+// sought. Or the pair passes close to a border of its features, and may touch. Exact algebra would give the same
+// answer, at many times the cost.
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +31,7 @@ class FineCrossing {
         cubic_(coplanarity_polynomial(m)),
         slope_(slope) {}
 
-  /// The root, by Newton's method from the middle of the bracket; nothing if it may lie outside. A root is no farther
+  /// The root, by Newton's method from the middle of the bracket. Nothing if it may lie outside. A root is no farther
   /// from t than the coplanarity at t divided by the least slope.
   std::optional<FineRoot> root(const TimeInterval<double>& bracket) const {
     constexpr int kMaxIterations = 4;
@@ -64,7 +64,7 @@ class FineCrossing {
   const double slope_;
 };
 
-/// A contact between the neighbouring doubles that enclose the root strictly; nothing if the root may be a double.
+/// A contact between the neighbouring doubles that enclose the root strictly. Nothing if the root may be a double.
 std::optional<Decision> touches_around(const FineRoot& root) {
   const double before = root.time.low > 0 ? root.time.high : std::nextafter(root.time.high, -1.0);
   const double after = std::nextafter(before, 2.0);

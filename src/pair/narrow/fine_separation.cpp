@@ -59,7 +59,7 @@ class FineSearch {
   }
 
  private:
-  /// Moves points that only rounding keeps off a corner or a side onto it: else their axis would be the axis of the
+  /// Moves points that only rounding keeps off a corner or a side onto it. Else their axis would be the axis of the
   /// inside. Afterwards weights on the side opposite the first corner add up to exactly 1, other weights to less.
   static ClosestPoints snapped(ClosestPoints p) {
     constexpr double kNear = 0x1p-44;

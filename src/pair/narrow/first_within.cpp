@@ -10,7 +10,7 @@
 namespace tamis {
 namespace {
 
-/// Probes of one pair. Newton's method needs 3 to 8; a near miss by 1e-15 of the pair's size needs about 40.
+/// Probes of one pair. Newton's method needs 3 to 8. A near miss by 1e-15 of the pair's size needs about 40.
 constexpr int kMaxProbes = 160;
 /// Probes that advance by at least this part of the step do not count. While a pair's clearance exceeds
 /// error_bounds::kAdvanceClearance of its size, all probes advance that far.
@@ -85,7 +85,7 @@ class Advance {
 };
 
 /// A time until which the pair is proven apart from `now` on. No later than `now` if nothing is proven. Rounding tilts
-/// the axis of a gap that is tiny beside its features, differently at each time: so times a little later are tried.
+/// the axis of a gap that is tiny beside its features, differently at each time. So times a little later are tried.
 template <PairKind kind>
 double apart_from(const SeparationProbe<kind, double>& probe, double separation, double now) {
   constexpr double kClearlyApart = 1 + 0x1p-10;

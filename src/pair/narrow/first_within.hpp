@@ -17,8 +17,8 @@ namespace tamis {
 Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time);
 
 /// A time in [0,1] before which the pair is proven farther apart than its separation, as late as doubles can prove
-/// within a few steps. At least until the pair's clearance first falls to kAdvanceClearance of its size
-/// (docs/numerics/steps.md, "Step lengths"). It searches no further than `until`: a result below `until` does not
+/// within a few steps. It is no earlier than the time when the pair's clearance first falls to kAdvanceClearance of its
+/// size (docs/numerics/steps.md, "Step lengths"). It searches no further than `until`. A result below `until` does not
 /// depend on it. REQUIRES: the motion of the whole step, finite; `from` in [0,1], `until` <= 1. REQUIRES (not checked:
 /// exact): the pair is apart before `from`.
 double apart_until(PairKind kind, const PairMotion<double>& m, double from, double until);

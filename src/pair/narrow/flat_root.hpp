@@ -1,6 +1,6 @@
-// Coplanarity that comes to zero and turns there, or lingers, before it has passed zero anywhere: as where all points
-// of a scene come to one line or one point. Doubles know the sign of such a cubic on neither side of the root, and its
-// slope nowhere near, so cutting the time ends at the root without a decision.
+// Coplanarity that comes to zero and turns there, or lingers, before it has passed zero anywhere. This happens where
+// all points of a scene come to one line or one point. Doubles know the sign of such a cubic on neither side of the
+// root, and its slope nowhere near. So cutting the time ends at the root without a decision.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ inline std::array<double, 2> turning_times(const std::array<double, 4>& k) {
   return {std::min(x, y), std::max(x, y)};
 }
 
-/// Does the cubic keep the sign that it has at the first of these times, as far as doubles can tell, to the second?
+/// True if the cubic keeps the sign that it has at the first of these times, as far as doubles can tell, to the second.
 inline bool keeps_sign_until(const std::array<double, 4>& cubic, const TimeInterval<double>& time, double unit) {
   const auto k = restrict_to(cubic, time.t_in, time.t_out);
   const double end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
@@ -37,7 +37,7 @@ inline double flat_reach(const std::array<double, 4>& k, double t, double bound)
   return std::min(std::sqrt(bound / std::fabs(square)), std::cbrt(bound / std::fabs(cube)));
 }
 
-/// True if integers must decide this pair: doubles see its coplanarity come to such a root first, and neither NCF nor
+/// True if integers must decide this pair. Doubles see its coplanarity come to such a root first, and neither NCF nor
 /// an axis proves the pair apart there. True is never wrong: integers decide every pair. REQUIRES: the motion of the
 /// whole step, finite.
 template <PairKind kind>

@@ -19,7 +19,7 @@ namespace {
 using Vec = Vec3<double>;
 
 using error_bounds::kRoundoff;
-/// The distance at t=0 must be known to this fraction of the clearance; else it is decided in integers.
+/// The distance at t=0 must be known to this fraction of the clearance. Else it is decided in integers.
 constexpr double kSharpEnough = 0x1p-20;
 
 /// Proven bounds, in the unit of the motion.
@@ -29,7 +29,7 @@ struct StartBounds {
 };
 
 /// A lower bound, beyond all rounding, of the distance at t=0, along the gap of the closest points. Rounding tilts a
-/// small gap: then also along the gap made orthogonal to the features.
+/// small gap. Then the bound is also taken along the gap made orthogonal to the features.
 template <PairKind kind>
 double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& closest) {
   constexpr double kSharp = 1 - 0x1p-40;
@@ -59,7 +59,7 @@ double kept(double distance, const PairMotion<double>& m, double fraction, int r
   return (m.separation + fraction * clearance) * (1 + rounding * 8 * kRoundoff);
 }
 
-/// Until when a pair without clearance at t=0 obeys the rule. Less than 1 if it comes back, even at t=1.
+/// The time until which a pair without clearance at t=0 obeys the rule. Less than 1 if it comes back, even at t=1.
 double keeps_without_clearance_until(PairKind kind, const PairPoints& points, const DistanceRule& rule,
                                      PrecisionCount& decided_by) {
   if (!rule.ignores_start) return 0;
@@ -67,7 +67,7 @@ double keeps_without_clearance_until(PairKind kind, const PairPoints& points, co
   return again.touches ? std::min(again.toi_lower, 1 - kRoundoff) : 1;
 }
 
-/// Proves what advancement may lose to rounding, and proves the same in lanes (search/kernels/step_length_kernels.hpp).
+/// Proves pairs that advancement may lose to rounding. Lanes prove the same (search/kernels/step_length_kernels.hpp).
 bool is_kept_to_end(PairKind kind, const PairMotion<double>& m, double fraction) {
   return with_kind(kind, [&](auto k) {
     if constexpr (can_cross(k())) {
@@ -93,7 +93,8 @@ double keeps_distance_until(PairKind kind, const PairPoints& points, const Dista
   const double by_speed = is_sharp ? portion * (clearance / start.speed) * (1 - 4 * kRoundoff)
                                    : portion * apart_from_start(kind, points, rule.min_separation);
   until = std::min(until, 1.0);
-  // A pair that stands still loses nothing, even where rounding exceeds the part of its distance that it may lose.
+  // A pair that stands still loses nothing. This holds even where rounding exceeds the part of its distance that it may
+  // lose.
   const bool stands_still = by_speed < until && points.start == points.end;
   if (by_speed == 0 && (rule.ignores_start || stands_still) &&
       starts_within(kind, points, rule.min_separation))  // else by_speed has underflowed

@@ -1,5 +1,5 @@
-// Step lengths: how long a pair keeps a fraction of its distance at t=0. The distance beyond the minimum separation
-// counts, the clearance. Two proofs, the second where the first ends:
+// Step lengths: how long a pair keeps a fraction of its distance at t=0. The distance that counts is the clearance: the
+// distance beyond the minimum separation. Two proofs, the second where the first ends:
 //   by speed        the clearance falls no faster than the corners of the two features move against each other;
 //   by advancement  the fraction to be kept is a separation, and advancement along axes (pair/narrow/first_within.hpp)
 //   finds
@@ -19,7 +19,7 @@ struct DistanceRule {
   bool ignores_start = false;
 };
 
-/// A time in [0,1] until when the pair is proven to obey the rule. 0 only if it has no clearance at t=0, and that is
+/// A time in [0,1] until which the pair is proven to obey the rule. 0 only if it has no clearance at t=0, and that is
 /// not ignored (or the time underflows). It searches no further than `until`. A result below `until` does not depend on
 /// it, and is no less than 1 - 2^-18 times (1 - fraction) clearance / speed. `speed` is the largest length of any
 /// velocity of a corner of the difference, rounded up by kVelocity. REQUIRES: finite coordinates.

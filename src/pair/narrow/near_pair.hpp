@@ -1,5 +1,5 @@
-// One pair at rest: is it within a separation, and what does NearPair say of it? Doubles answer first, by the code that
-// lanes run, then integers.
+// One pair at rest: tells whether it is within a separation, and makes its NearPair. Doubles answer first, by the code
+// that lanes run, then integers.
 #pragma once
 #include "pair/motion/make_motion.hpp"
 #include "tamis/proximity.hpp"
@@ -7,8 +7,8 @@
 
 namespace tamis {
 
-/// Is the pair within its separation at t=0, or beyond it by less than doubles can tell? REQUIRES: finite coordinates,
-/// also at t=1, a finite separation >= 0. Counts in `decided_by` which arithmetic had the last word.
+/// True if the pair is within its separation at t=0, or beyond it by less than doubles can tell. REQUIRES: finite
+/// coordinates, also at t=1, a finite separation >= 0. Counts in `decided_by` which arithmetic had the last word.
 bool may_start_within(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by);
 
 /// REQUIRES: finite coordinates, also at t=1.

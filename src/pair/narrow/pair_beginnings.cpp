@@ -1,6 +1,6 @@
-// Decides pairs that move much farther than they and their gap are large: in the unit of the whole step rounding makes
-// points of their features, which may have met at once. So beginnings of the step are decided, each longer than the one
-// before and in its own units of time and length, until the features separate for good.
+// Decides pairs that move much farther than they and their gap are large. In the unit of the whole step, rounding makes
+// points of their features, which may have met at once. So beginnings of the step are decided, until the features
+// separate for good. Each is longer than the one before, and has its own units of time and length.
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +27,7 @@ double first_length(const PairMotion<double>& m) {
   return std::ldexp(1, std::max(std::ilogb(size), kLeastExponent) + kDoublings);
 }
 
-/// What the pair does during `time` of a beginning. REQUIRES (not checked: exact): it is apart before `time`.
+/// The answer about the pair during `time` of a beginning. REQUIRES (not checked: exact): it is apart before `time`.
 Decision decide_during(PairKind kind, const PairMotion<double>& beginning, const TimeInterval<double>& time) {
   const TimeInterval<double> clip = clipped(kind, beginning, time);
   const bool may_touch_at_start =
@@ -35,7 +35,7 @@ Decision decide_during(PairKind kind, const PairMotion<double>& beginning, const
   return may_touch_at_start ? Decision{Verdict::unsure, 0, 1} : decide_in_doubles(kind, beginning, clip);
 }
 
-/// Proven: at t=1 and for ever after, should the motion go on, the pair is farther apart than its separation.
+/// Proven: at t=1 and for ever after, should the motion continue, the pair is farther apart than its separation.
 bool is_apart_from_end(PairKind kind, const PairMotion<double>& m) {
   TAMIS_ASSERT(is_finite(m));
   return with_kind(kind, [&](auto k) {

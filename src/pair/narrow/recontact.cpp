@@ -1,4 +1,4 @@
-// Finds recontacts in doubles: a pair that is within its separation at t=0 may leave it and come back. Runs for each
+// Finds recontacts in doubles. A pair that is within its separation at t=0 may leave it and come back. Runs for each
 // such pair where contacts at the start are ignored.
 #include <algorithm>
 #include <cmath>
@@ -40,18 +40,18 @@ class Recontact {
     return {time, distance, probe_.touches(distance)};
   }
 
-  /// Is the pair certified to be apart at that time?
+  /// True if the pair is certified to be apart at that time.
   bool is_apart(const Probed& at) const { return probe_.prove_apart(at.time, at.distance).until > at.time; }
 
   /// An upper bound of the distance at `time`, from two points of the features with fixed weights. The vector between
-  /// these is linear in time, so between two times it is no longer than at one of them.
+  /// these is linear in time. So between two times it is no longer than at one of them.
   double distance_at_most(double time, const ClosestPoints& points) const {
     const Vec3<double> gap =
         gap_at<kind>(at_time(m_.e, time), at_time(m_.f, time), at_time(m_.d, time), points.u, points.v);
     return std::sqrt(dot(gap, gap)) * error_bounds::kLengthUp + error_bounds::bound(error_bounds::kGap, size_);
   }
 
-  /// Is the pair proven within its separation from `from` until `until`? REQUIRES: it touches at both.
+  /// True if the pair is proven within its separation from `from` until `until`. REQUIRES: it touches at both.
   bool stays_within(const Probed& from, const Probed& until, int halvings) const {
     if (distance_at_most(from.time, until.distance.closest) <= m_.separation) return true;
     if (distance_at_most(until.time, from.distance.closest) <= m_.separation) return true;
@@ -77,7 +77,7 @@ class Recontact {
     return first_within(kind, m_, {next.time, 1});
   }
 
-  /// Is the distance proven to grow throughout? Then the pair leaves its separation once at most. Proof:
+  /// True if the distance is proven to grow throughout. Then the pair leaves its separation once at most. Proof:
   /// docs/numerics/distances.md, "Ignored at the start".
   bool grows(double from, double until) const {
     const double middle = 0.5 * (from + until);
@@ -104,8 +104,8 @@ class Recontact {
            });
   }
 
-  /// Facts, during a time, about the direction between the closest points and about the nearest point: the point of the
-  /// Minkowski difference nearest to zero.
+  /// Facts that hold during a time, about the direction between the closest points and about the nearest point. The
+  /// nearest point is the point of the Minkowski difference nearest to zero.
   struct Growth {
     Vec3<double> n, turn;   ///< a direction with the largest component 1, and the rate at which it should turn
     double tilt = 0;        ///< the unit direction between closest points, times |n|, differs from n by no more
@@ -113,14 +113,14 @@ class Recontact {
     double sideways = 0;    ///< the nearest point is no farther from the line along n
     double least_gain = 0;  ///< the most that turning with n, and all rounding, can take from a corner's gain
 
-    /// Is the corner too far along the direction to take part in the nearest point?
+    /// True if the corner is too far along the direction to take part in the nearest point.
     bool is_beyond(const Vec3<double>& corner, double size) const {
       const double error = error_bounds::bound(error_bounds::kAxisNow, size);
       return dot(n, corner) - error > (reach + tilt * (std::sqrt(dot(corner, corner)) + error)) * kUp;
     }
   };
 
-  /// Does the corner move away along the turning axis faster than the axis' possible tilt could hide?
+  /// True if the corner moves away along the turning axis faster than the axis' possible tilt could hide.
   bool gains(const Moving<double>& corner, const Vec3<double>& first, const Vec3<double>& last,
              const Growth& growth) const {
     const Vec3<double> velocity = corner.at1 - corner.at0;

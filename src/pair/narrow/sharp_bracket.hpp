@@ -16,8 +16,8 @@ inline double near_tie(double toi_upper) { return std::min(toi_upper * kNearTie,
 
 /// True if this bracket of a certified contact is good enough. It must be narrower than 1e-11, and than a twentieth of
 /// the time that kNearTie adds. Then a pair that touches so much later has a bracket that begins later. Double-double,
-/// or exact algebra, sharpens wider brackets, and brackets that do not tell whether the pair touches at t=0. Doubles
-/// know few digits of a root where the coplanarity cubic is nearly flat. For double and for SIMD lanes.
+/// or exact algebra, sharpens wider brackets. It also sharpens brackets that do not tell whether the pair touches at
+/// t=0. Doubles know few digits of a root where the coplanarity cubic is nearly flat. For double and for SIMD lanes.
 template <class T>
 inline auto is_sharp(const T& toi_lower, const T& toi_upper) {
   const T widest = min(T(1e-11), T(0.05 * (kNearTie - 1)) * toi_upper);

@@ -47,7 +47,7 @@ struct Box {
   }
   /// The sum of its lengths along the axes.
   double extent() const { return high[0] - low[0] + (high[1] - low[1]) + (high[2] - low[2]); }
-  /// Half of its length along the widest axis; unlike the whole length, it does not overflow.
+  /// Half of its length along the widest axis. Unlike the whole length, it does not overflow.
   double half_width() const {
     double half = 0;
     for (std::size_t k = 0; k < 3; ++k) half = std::max(half, 0.5 * high[k] - 0.5 * low[k]);

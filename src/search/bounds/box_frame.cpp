@@ -13,7 +13,7 @@ namespace {
 /// The roundings listed at BoxFrame::margin sum to 2^-24 + 2^-53.
 constexpr float kRounding = 0x1p-23f;
 
-/// The frame moves with its vertices where that makes it this many times narrower, which gains three bits of every
+/// The frame moves with its vertices where that makes it this many times narrower. This gains three bits of every
 /// coordinate. (A smaller gain is not worth it.)
 constexpr double kMuchNarrower = 8;
 
@@ -65,7 +65,7 @@ BoxFrame frame_of(const SceneVertices& scene, double min_separation) {
   BoxFrame frame{};
   frame.origin = finest.middle;
   frame.origin_at_end = finest.middle_at_end;
-  // One binary digit to spare, so rounding of origin and half width stays inside [-1,1].
+  // One binary digit to spare. So rounding of origin and half width stays inside [-1,1].
   const int exponent = finest.half > 0 ? std::min(-2 - std::ilogb(finest.half), 1000) : 0;
   frame.scale = std::ldexp(1.0, exponent);
   frame.widening = boxes.end.half_width() / boxes.start.half_width();

@@ -21,7 +21,7 @@ SymmetricMatrix product(const Columns& a, const Columns& b) {
   return {mean(0, 0), mean(1, 1), mean(2, 2), mean(0, 1), mean(0, 2), mean(1, 2)};
 }
 
-/// Are all eigenvalues above `bound`? All pivots of Gauss' elimination on m - bound I must be positive.
+/// True if all eigenvalues are above `bound`. All pivots of Gauss' elimination on m - bound I must be positive.
 bool exceed(const SymmetricMatrix& m, double bound) {
   const double first = m.xx - bound;
   if (!(first > 0)) return false;
@@ -61,8 +61,9 @@ Columns inverse(const SymmetricMatrix& m) {
 
 }  // namespace
 
-/// |(I + t G) x|^2 is quadratic in t: in each part of the time at least its least Bernstein coefficient; and convex, so
-/// largest at an end. The last part comes first: mostly it has the least, and one test shows that the others exceed it.
+/// |(I + t G) x|^2 is quadratic in t. In each part of the time it is at least its least Bernstein coefficient. It is
+/// convex, so largest at an end. The last part comes first. Mostly it has the least, and one test shows that the others
+/// exceed it.
 StretchBounds stretch_bounds(const DisplacementGradient& gradient) {
   constexpr int kParts = 4;
   double least = 1;

@@ -1,6 +1,6 @@
-// The displacement gradient: u(x) = c + G x + residual(x). At t the vector between two points is
-// (I + t G) (y - x) + t (residual(y) - residual(x)), so what turns or stretches as a whole has no residual, and
-// distances shrink by the least principal stretch of I + t G at most.
+// The displacement gradient: u(x) = c + G x + residual(x). At t the vector between two points is (I + t G) (y - x) + t
+// (residual(y) - residual(x)). So a motion that turns or stretches the whole has no residual. Distances shrink by the
+// least principal stretch of I + t G at most.
 #pragma once
 #include <array>
 #include <span>

@@ -30,11 +30,11 @@ class SomeVertices {
     find_shortest();
   }
 
-  /// The third shortest of the distances, as two may be slivers. Skips distances below 2^-24 of the median: such
+  /// The third shortest of the distances, as two may be slivers. Skips distances below 2^-24 of the median. Such
   /// vertices coincide on purpose, or wait somewhere until they are used.
   double shortest() const { return shortest_; }
 
-  /// Chooses `count` of the sampled vertices: those with up to eight times the shortest distance weigh the same, others
+  /// Chooses `count` of the sampled vertices: those with up to eight times the shortest distance weigh the same. Others
   /// weigh less in inverse proportion to their distance.
   template <std::size_t count>
   std::array<SampledVertex, count> finest() const {

@@ -1,4 +1,4 @@
-// Finds where a step has its shortest edges: boxes need the precision of floats there.
+// Finds where a step has its shortest edges. Boxes need the precision of floats there.
 #pragma once
 #include <optional>
 #include <span>
@@ -24,7 +24,7 @@ struct SampledVertex {
 /// How many of `count` vertices are the sample: an even number, at most kMostSampled; 0 if there are too few vertices
 /// for speed to matter.
 std::size_t sample_size(std::size_t count);
-/// Which of `count` vertices, by number, is vertex i of the sample: after each with an even i comes the next vertex.
+/// Which of `count` vertices, by number, is vertex i of the sample. After each with an even i comes the next vertex.
 /// REQUIRES: i < sample_size(count).
 std::size_t sample_place(std::size_t count, std::size_t i);
 

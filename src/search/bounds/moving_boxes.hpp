@@ -1,5 +1,5 @@
-// Axis-aligned boxes at t=0 and at t=1, sixteen to a block. Their linear interpolation contains the feature at every t,
-// so two features can touch only while their interpolated boxes meet (formulas: constant-axis and slab tests).
+// Axis-aligned boxes at t=0 and at t=1, sixteen to a block. Their linear interpolation contains the feature at every t.
+// So two features can touch only while their interpolated boxes meet (formulas: constant-axis and slab tests).
 #pragma once
 #include <cstdint>
 
@@ -7,11 +7,12 @@ namespace tamis {
 
 inline constexpr int kBlock = 16;
 
-/// Boxes of features within the frame are no wider than this; a wider box reaches an outlier.
+/// Boxes of features within the frame are no wider than this. A wider box reaches an outlier.
 inline constexpr float kWidest = 16;
 
 /// Coordinates are in the frame of the boxes, within [-8,8] except for outliers (BoxFrame). An empty lane has low =
-/// kNowhere, high = -kNowhere, and meets nothing. It is finite because differences of infinities are none.
+/// kNowhere, high = -kNowhere, and meets nothing. kNowhere is finite because a difference of infinities is not a
+/// number.
 inline constexpr float kNowhere = 1e30f;
 
 /// [axis][lane].
@@ -20,7 +21,7 @@ struct alignas(64) BoxBlock {
   float low1[3][kBlock], high1[3][kBlock];
 };
 
-/// One box of a block: x y z at t=0, then at t=1, and two unused, so compilers vectorize its loops.
+/// One box of a block: x y z at t=0, then at t=1, and two unused. The unused ones let compilers vectorize its loops.
 struct MovingBox {
   static constexpr int kSize = 8;
   float low[kSize], high[kSize];
@@ -59,8 +60,8 @@ struct MovingBox {
 };
 
 /// The vertices of sixteen features, [corner][lane]. Every entry is a valid vertex. An empty lane repeats the block's
-/// first feature; its box is empty, so it meets nothing. Corners past a feature's last corner repeat that corner.
-/// Kernels gather and write whole vectors of lanes past the last feature, so every lane's vertices must be readable.
+/// first feature. Its box is empty, so it meets nothing. Corners past a feature's last corner repeat that corner.
+/// Kernels gather and write whole vectors of lanes past the last feature. So every lane's vertices must be readable.
 struct alignas(64) CornerBlock {
   std::int32_t vertex[3][kBlock];
 };

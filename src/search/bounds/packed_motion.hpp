@@ -1,4 +1,4 @@
-// The vertices of a step as the kernels read them: one cache line each in doubles for the solver, and floats in a
+// The vertices of a step as the kernels read them. Each has one cache line of doubles for the solver, and floats in a
 // common frame for the boxes.
 #pragma once
 #include <algorithm>
@@ -70,7 +70,7 @@ struct PackedMotion {
               const BoxFrame* of_scene = nullptr);
   /// Computes the residuals of the vertices `used`: their displacements less the motion `shared`.
   void assign_residuals(std::span<const Index> used, const SharedMotion& shared);
-  /// Does the vertex lie outside the frame?
+  /// True if the vertex lies outside the frame.
   bool is_outlier(Index vertex) const {
     return frame.has_outliers && box_vertices[static_cast<std::size_t>(vertex)].largest_coordinate() > 1;
   }

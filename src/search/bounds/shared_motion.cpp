@@ -9,11 +9,11 @@ namespace {
 
 /// About how many are sampled.
 constexpr std::size_t kSampledVertices = 4096, kSampledEdges = 1024;
-/// The clearance that a gradient costs, relative to the length of edges: that of boxes eight edges wide, a guess at the
-/// boxes of near pairs. No answer depends on it.
+/// The clearance that a gradient costs, relative to the length of edges. It is the clearance of boxes eight edges wide,
+/// a guess at the boxes of near pairs. No answer depends on it.
 constexpr double kEdgeAdvanceClearance = 8 * error_bounds::kBoxAdvanceClearance;
-/// By how much the least stretch must exceed the fraction, and how large the greatest may be: else the clearance costs
-/// more than the gradient gains.
+/// By how much the least stretch must exceed the fraction, and how large the greatest may be. Otherwise the clearance
+/// costs more than the gradient gains.
 constexpr double kLeastBeyond = 0x1p-4, kGreatestStretch = 4;
 
 Vec3<double> rounded_difference(const double* to, const double* from, double scale) {

@@ -1,6 +1,5 @@
-// The motion that all vertices of a scene share, an affine map fitted to their displacements: it changes distances by
-// its stretch alone, so only the residuals beside it can bring pairs together (docs/numerics/steps.md, "Step
-// lengths").
+// The motion that all vertices of a scene share, an affine map fitted to their displacements. It changes distances by
+// its stretch alone. So only the residuals beside it can bring pairs together (docs/numerics/steps.md, "Step lengths").
 #pragma once
 #include "search/bounds/displacement_gradient.hpp"
 #include "tamis/mesh.hpp"

@@ -38,13 +38,14 @@ struct TreeView {
   int leaf_blocks;
   const CornerBlock* corners;
   BlockGroups groups;
-  /// For each block of levels[k]: does it hold a marked feature? Null: nothing is marked, all pairs are of interest.
+  /// For each block of levels[k]: whether it holds a marked feature. Null: nothing is marked, all pairs are of
+  /// interest.
   const std::uint8_t* marked[kMaxLevels];
   bool has_exclusions;  ///< by groups or marks
 };
 
-/// Can no feature of leaf block `block` of `a` make a pair of interest with one of block `other` in level `level` of
-/// `b`? Either their groups may not touch, or neither block holds a marked feature.
+/// True if no feature of leaf block `block` of `a` makes a pair of interest with a feature of block `other` in level
+/// `level` of `b`. Either their groups may not touch, or neither block holds a marked feature.
 [[gnu::always_inline]] inline bool are_excluded(const TreeView& a, int block, const TreeView& b, int level, int other) {
   if (a.marked[0] && !a.marked[0][block] && !b.marked[level][other]) return true;
   if (!a.groups.may_touch) return false;
@@ -52,7 +53,7 @@ struct TreeView {
   return mine >= 0 && theirs >= 0 && a.groups.may_touch[mine * a.groups.group_count + theirs] == 0;
 }
 
-/// Computes the boxes of a leaf block's features, which have `corners` vertices each and fill the first `in_use` lanes.
+/// Computes the boxes of a leaf block's features. These have `corners` vertices each and fill the first `in_use` lanes.
 /// Extends `hull` by them. One of the kernels.
 using BoundLeaf = void (*)(const BoxVertex* vertices, const CornerBlock& block, int corners, int in_use,
                            const BoxMargins& margins, BoxBlock& boxes, MovingBox& hull);
@@ -82,7 +83,7 @@ class BlockTree {
   TreeView view() const;
   /// Marks the features that have a vertex with a nonzero entry; empty: no marks. REQUIRES: is_built(), or empty.
   void mark(std::span<const std::uint8_t> of_vertex);
-  /// Half the surface area of the leaf blocks' hulls, summed, in the frame of the boxes: a traversal's cost grows with
+  /// Half the surface area of the leaf blocks' hulls, summed, in the frame of the boxes. A traversal's cost grows with
   /// it.
   struct Areas {
     double at_start = 0, swept = 0;
@@ -93,7 +94,7 @@ class BlockTree {
   }
 
  private:
-  /// Is there a group without self-contact, and any other group?
+  /// True if there is a group without self-contact, and any other group.
   bool separates_groups() const {
     return groups_.group_count > 1 && std::ranges::find(no_self_contact_, std::uint8_t{1}) != no_self_contact_.end();
   }

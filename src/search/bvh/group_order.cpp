@@ -12,7 +12,7 @@ namespace {
 /// of other groups than blocks ordered by place alone meet in all.
 constexpr std::size_t kMostAtOnePlace = 3;
 
-/// Is a feature inside the boxes of more than kMostAtOnePlace groups, on average over a sample?
+/// True if a feature is inside the boxes of more than kMostAtOnePlace groups, on average over a sample.
 bool overlap_much(std::span<const GroupedFeature> features, std::size_t group_count) {
   constexpr std::size_t kSampleFeatures = 64;
   const auto point_of = [](const GroupedFeature& feature) {

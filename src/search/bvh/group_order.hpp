@@ -1,5 +1,5 @@
 // An order by groups: features of a group without self-contact, such as a rigid body, come one after the other in the
-// tree, so blocks of one such group are never tested against each other.
+// tree. So blocks of one such group are never tested against each other.
 #pragma once
 #include <span>
 #include <vector>
@@ -20,9 +20,9 @@ struct GroupOrder {
   std::vector<std::size_t> ends;  ///< of the groups, ascending: places in `features`
 };
 
-/// Orders the groups with `no_self_contact` by their centers in space, so neighbours share the block in which one
-/// ends and the next begins. All other features are one group. Empty where many groups overlap, and an order in space
-/// alone serves better. REQUIRES: `no_self_contact` of all groups.
+/// Orders the groups with `no_self_contact` by their centers in space. So neighbours share the block in which one ends
+/// and the next begins. All other features are one group. Empty where many groups overlap: an order in space alone
+/// serves better there. REQUIRES: `no_self_contact` of all groups.
 GroupOrder order_groups(std::span<const GroupedFeature> features, std::span<const std::uint8_t> no_self_contact);
 
 }  // namespace tamis

@@ -10,14 +10,14 @@
 namespace tamis {
 namespace {
 
-/// The time of positions in the usual order, and the weight of displacements beside positions: half of a displacement
+/// The time of positions in the usual order, and the weight of displacements beside positions. Half of a displacement
 /// is done by that time.
 constexpr float kHalf = 0.5f;
-/// An order by positions at the start alone serves a search for a first contact, which comes before blocks have spread,
-/// unless the blocks double their width before this time.
+/// An order by positions at the start alone serves a search for a first contact, which comes before blocks have spread.
+/// The exception: blocks that double their width before this time.
 constexpr double kSoon = 0.5;
 /// An order by displacements, too, is taken if its blocks are larger by less than this factor when blocks by position
-/// alone are twice as wide: where neighbours move together, displacements only separate layers.
+/// alone are twice as wide. Where neighbours move together, displacements only separate layers.
 constexpr double kMoreSpread = 1.25;
 
 Point lengths(const Box& box) { return {box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]}; }
@@ -29,9 +29,10 @@ double mixed_area(const Box& a, const Box& b) {
   return along[0] * (y + z) + along[1] * (z + x) + along[2] * (x + y);
 }
 
-/// How the area of an order's blocks, with which a traversal's cost grows, spreads over time: boxes are as wide as the
+/// How the area of an order's blocks spreads over time. A traversal's cost grows with it. Boxes are as wide as the
 /// positions of their points at the order's time, and widen by the differences of the displacements. The sum of the
-/// areas is a quadratic in time. Points that separate along a line add no area of their own, but make boxes longer.
+/// areas is a quadratic in time. Points that separate along a line add no area of their own. But they make boxes
+/// longer.
 struct Spread {
   double constant = 0, linear = 0, quadratic = 0;  ///< coefficients of the area
 
@@ -41,7 +42,7 @@ struct Spread {
     quadratic += mixed_area(displacements, displacements);
   }
   double area_at(double t) const { return constant + t * linear + t * t * quadratic; }
-  /// Are the blocks twice as wide, of four times the area, before the end of the step?
+  /// True if the blocks are twice as wide, of four times the area, before the end of the step.
   bool doubles() const { return area_at(1) > kTwiceAsWide * constant; }
   /// The time at which they are. REQUIRES: doubles().
   double doubling_time() const {

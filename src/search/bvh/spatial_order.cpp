@@ -16,7 +16,7 @@
 namespace tamis {
 namespace {
 
-/// So many centers are sorted at once.
+/// Up to this many centers are sorted at once.
 constexpr std::size_t kFew = 32;
 
 /// For each number, how many are less than it. Has no branches: the compiler makes lanes of it.
@@ -105,7 +105,7 @@ void select(std::span<Center<axes>> centers, std::size_t lower, int axis) {
   sort_few(centers, axis);
 }
 
-/// Of many centers, looks at a sample.
+/// The axis along which the centers spread most. If there are many centers, takes a sample.
 template <int axes>
 int longest_axis(std::span<const Center<axes>> centers) {
   constexpr std::size_t kSample = 256;
@@ -139,8 +139,8 @@ struct Halving {
     select(group, cut - from, longest_axis<axes>(group));
   }
 
-  /// Cuts between blocks of the largest level of which the range has several, so such cuts make every block of
-  /// every level of the tree.
+  /// Cuts between blocks of the largest level of which the range has several. Such cuts make every block of every level
+  /// of the tree.
   void halve(std::size_t first, std::size_t end) const {
     constexpr std::size_t kParallelFrom = 8192;
     const std::size_t count = end - first;

@@ -16,7 +16,7 @@ struct alignas(16) Center {
   Index feature;
 };
 
-/// Called now and then, from several threads; an exception that it throws ends the work.
+/// Called now and then, from several threads. An exception that it throws ends the work.
 using Pause = std::function<void()>;
 
 /// Orders centers such that every sixteen, every sixteen times sixteen, and so on, lie close together. Halves them

@@ -36,8 +36,8 @@ class KeptLists {
  public:
   virtual ~KeptLists() = default;
 
-  /// Called when the lists do not serve this query. Returns the pairs worth listing for it and the next ones, if any.
-  /// Then the caller adds those pairs to lists(), which are empty, and calls end_listing().
+  /// Called when the lists do not serve this query. Returns the pairs worth listing for this query and the next ones,
+  /// if any. Then the caller adds those pairs to lists(), which are empty, and calls end_listing().
   virtual std::optional<Listing> plan(const Query& query) = 0;
   /// Keeps the lists if they are complete, else drops them, as the pairs were too many.
   virtual void end_listing(bool is_complete) {

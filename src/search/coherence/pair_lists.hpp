@@ -16,7 +16,7 @@ struct Candidate {
   TimeInterval<float> time;      ///< when the pair may touch
 };
 
-/// Grows in parts that never move: adding a pair, or taking a list, copies no pairs that are there already.
+/// Grows in parts that never move. Adding a pair, or taking a list, copies no pairs that are there already.
 class PairList {
  public:
   bool empty() const;
@@ -46,7 +46,7 @@ class PairLists {
  public:
   PairList& operator[](PairKind kind) { return lists_[static_cast<std::size_t>(kind)]; }
   const PairList& operator[](PairKind kind) const { return lists_[static_cast<std::size_t>(kind)]; }
-  /// Is there any pair?
+  /// True if there is any pair.
   bool any() const;
   /// Moves all pairs of `other` here.
   void take(PairLists& other);

@@ -37,7 +37,7 @@ PairsAhead::PairsAhead(const Mesh& mesh)
 bool PairsAhead::begin(const Query& query) {
   if (!are_listed_ || query.is_piece || query.separations.fixed > separation_) return false;
   if (!follows_prediction(query.step) || when_.t_in > listed_until_) return false;
-  // A first contact may lie within the times listed; all contacts need the whole step listed.
+  // A first contact may lie within the times listed. All contacts need the whole step listed.
   if (query.question == Question::all_contacts && !covers(when_.t_out)) return false;
   next_.make(query.step, sample_, kMostSteps);
   ++queries_served_;

@@ -10,18 +10,19 @@
 
 namespace tamis {
 
-/// Memory is bounded: by the most pairs that CandidateSearch lists, 24 bytes each, with room to grow to twice that; and
-/// by positions.
+/// Memory is bounded: by the most pairs that CandidateSearch lists, 24 bytes each, with room to grow to twice that.
+/// Positions come on top.
 class PairsAhead final : public KeptLists {
  public:
   /// Keeps a reference.
   explicit PairsAhead(const Mesh& mesh);
 
-  /// Begins a query. Returns true if it follows the prediction, so its listed pairs are to be decided first.
+  /// Begins a query. Returns true if it follows the prediction. Then its listed pairs are to be decided first.
   bool begin(const Query& query);
-  /// After the listed pairs have been decided: may another pair still touch, so the trees must be searched?
+  /// Call it after the listed pairs have been decided. True if another pair may still touch, so the trees must be
+  /// searched.
   bool leaves_undecided(const ContactCollector& answer) const;
-  /// Lists are worth making if the query continues the last one: the pairs of the step that is predicted then.
+  /// Lists are worth making if the query continues the last one. They then hold the pairs of the predicted step.
   std::optional<Listing> plan(const Query& query) override;
   /// The times of the predicted step that this query covers.
   const TimeInterval<float>& when() const { return when_; }
@@ -32,9 +33,9 @@ class PairsAhead final : public KeptLists {
  private:
   bool plan_for_same_start(Question question, double length);
   bool plan_steps(Question question, const PredictedStep::Fit& fit);
-  /// Do the lists hold every pair that may touch until this time of the predicted step?
+  /// True if the lists hold every pair that may touch until this time of the predicted step.
   bool covers(float time) const { return listed_until_ == 1 || time <= listed_until_; }
-  /// Does the step follow the predicted one within the slack? Sets when_.
+  /// True if the step follows the predicted one within the slack. Sets when_.
   bool follows_prediction(const Step& step);
   double steps_to_foresee(double deviation) const;
 

@@ -67,8 +67,8 @@ bool PairsNearStart::has_same_start(const Step& step) const {
 }
 
 /// A pair that is not listed is farther apart than separations(), so its clearance exceeds the sum of both
-/// displacements over (1 - fraction), and more than `fraction` of it is left. A feature's listing radius is at least
-/// its search radius plus its contact radius, even if different vertices give these (neighbourhood_maximum).
+/// displacements over (1 - fraction). More than `fraction` of it is left. A feature's listing radius is at least its
+/// search radius plus its contact radius, even if different vertices give these (neighbourhood_maximum).
 bool PairsNearStart::covers(const Query& query) const {
   if (query.separations.fixed > separation_ || query.separations.radii.data() != radii_) return false;
   return all_in_parts(mesh_.points(), kVerticesPerPart, [&](Index v) {

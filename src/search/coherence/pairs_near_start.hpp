@@ -10,14 +10,15 @@
 
 namespace tamis {
 
-/// For questions about step lengths: until when does every pair keep a fraction of its distance at the start?
+/// For questions about step lengths. Such a question finds the time until which every pair keeps a fraction of its
+/// distance at the start.
 class PairsNearStart final : public KeptLists {
  public:
   /// Keeps a reference.
   explicit PairsNearStart(const Mesh& mesh) : KeptLists({.first = 1}), mesh_(mesh) {}
 
-  /// Begins a question. `lists_all`: it wants every pair that ends the step, as a truncation does after it has one step
-  /// length for all. Returns true if the lists hold all pairs that may end the step.
+  /// Begins a question. `lists_all`: the question wants every pair that ends the step, as a truncation does after it
+  /// has one step length for all. Returns true if the lists hold all pairs that may end the step.
   bool begin(const Query& query, double fraction, bool lists_all);
   /// In a truncation, if this start will be truncated again, the pairs near at the start are worth listing.
   std::optional<Listing> plan(const Query& query) override;
@@ -45,7 +46,8 @@ class PairsNearStart final : public KeptLists {
   double fraction_ = 0;      ///< the part of the distance that the last question wants kept
   bool lists_all_ = false;   ///< the last question wants every pair
   bool same_start_ = false;  ///< the last question has the start of the one before it
-  // Lists pay from a start's second truncation on: has this start had one, and two. Had the last two starts two?
+  // Lists pay from a start's second truncation on. Whether this start has had one, whether two, and whether each of the
+  // last two starts had two.
   bool is_truncated_ = false, is_truncated_again_ = false;
   std::array<bool, 2> were_truncated_again_{};
 };

@@ -52,7 +52,7 @@ bool CandidateSearch::prepare(const Query& query, LooksAt looks_at, bool is_list
                               Statistics& statistics) {
   FeatureTrees& trees = workspace_.trees;
   if (!is_listed) {
-    // Refit to the query even if lists follow: the decision to rebuild must not see the step that they are for.
+    // Refits to the query even if lists follow. The decision to rebuild must not see the step that they are for.
     trees.refit_or_rebuild(query.step, query.separations, query.frame, looks_at, statistics);
     const std::optional<Listing> listing = kept.plan(query);
     if (!listing) return false;

@@ -1,4 +1,4 @@
-// Lists, for later queries, the pairs that may touch on a step although vertices deviate from it; and prepares lists or
+// Lists, for later queries, the pairs that may touch on a step although vertices deviate from it. Prepares lists or
 // trees for a query.
 #pragma once
 #include <atomic>
@@ -49,7 +49,7 @@ class CandidateSearch {
   /// false if some are missing: there are more than kMostPairsPerBlock times the blocks, or the first samples suggest
   /// it. Leaves the trees refitted to the listing's step.
   bool list(const Query& query, const Listing& listing, PairLists& lists, Statistics& statistics);
-  /// Prepares lists or trees for a query. Returns true if the lists serve the query: the vertices of this step are then
+  /// Prepares lists or trees for a query. Returns true if the lists serve the query. The vertices of this step are then
   /// loaded, if the lists hold any pair. Returns false if the trees must be searched, which are then of this step.
   /// `is_listed`: the present lists serve this query. If not, others are made if they are worth their cost.
   bool prepare(const Query& query, LooksAt looks_at, bool is_listed, KeptLists& kept, Statistics& statistics);
@@ -58,7 +58,7 @@ class CandidateSearch {
  private:
   /// The lists hold at most this many pairs for each leaf block.
   static constexpr std::int64_t kMostPairsPerBlock = 256;
-  /// Samples are uneven: the first ones may exceed their share of the pairs by this part of the most.
+  /// Samples are uneven. The first ones may exceed their share of the pairs by this part of the most.
   static constexpr double kSmallestPart = 1.0 / 64;
 
   Workspace& workspace_;

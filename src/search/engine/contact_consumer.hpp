@@ -31,7 +31,7 @@ class ContactConsumer final : public PairStream {
   double latest() const { return found_.bound().latest(); }
   /// Removes pairs that groups or the caller's filter exclude, or that can no longer change the answer.
   void leave_out_unwanted(PairKind kind, PairBuffer& pairs);
-  /// Ends each pair's time at the latest one of interest for its bodies: the slab clip then removes pairs that come
+  /// Ends each pair's time at the latest one of interest for its bodies. The slab clip then removes pairs that come
   /// later.
   void shorten_times(PairKind kind, PairBuffer& pairs);
   void add(PairKind kind, const PairVertices& vertices, const DecidedPair& pair);

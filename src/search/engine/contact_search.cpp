@@ -7,7 +7,7 @@
 namespace tamis {
 namespace {
 
-/// The question for all contacts has no use for samples: an early contact shortens nothing.
+/// The question for all contacts has no use for samples. An early contact shortens nothing.
 Samples samples_for(const Query& query, int parts) {
   return query.question == Question::all_contacts ? Samples() : Samples(parts);
 }
@@ -43,8 +43,8 @@ void ContactSearch::search_lists(ContactCollector& answer) {
   }
 }
 
-/// For steps on which vertices go very far (scene_beginning.hpp): the first contact comes early, and is searched for in
-/// beginnings of the step. Returns whether it was found there; if not, the trees are of the whole step again.
+/// For steps on which vertices go very far (scene_beginning.hpp). The first contact comes early there, and is searched
+/// for in beginnings of the step. Returns whether it was found there. If not, the trees are of the whole step again.
 bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& statistics) {
   constexpr int kBeginnings = 4;  // without an early contact they are searched in vain
   constexpr double kLonger = 16;

@@ -1,5 +1,5 @@
 // Conducts contacts, earliest and is_free. Where the mesh moves as before, pairs that may touch are listed for several
-// steps, and the list serves the query. Else the trees are searched.
+// steps. Then the list serves the query. Else the trees are searched.
 #pragma once
 #include "numbers/held_bytes.hpp"
 #include "search/coherence/pairs_ahead.hpp"

@@ -15,12 +15,12 @@ namespace {
 /// (docs/history/performance.md: "When to rebuild").
 constexpr double kPoorArea = 1.5;
 /// Trees are also rebuilt once the area at the start exceeds that at the last build by this factor, whatever they sweep
-/// over: the swept area depends on the length of the step.
+/// over. The swept area depends on the length of the step.
 constexpr double kPoorStart = 8;
 /// Building costs about as much as visiting this many pairs of nodes for each leaf block.
 constexpr std::uint64_t kNodesPerBlock = 9;
 /// A step is long if leaf blocks sweep over more than kFarAreas times their own area. On long steps, every
-/// kStartInRow-th question in a row that looks at the start tests whether an order by the start would pay.
+/// kStartInRow-th question in a row about the start tests whether an order by the start would pay.
 constexpr double kFarAreas = 4;
 constexpr int kStartInRow = 8;
 

@@ -35,11 +35,11 @@ class FeatureTrees {
   void refit_for(const Step& step, const Separations& separations, const BoxFrame* frame);
   /// Loads the vertices alone. The boxes stay as for an earlier step, if any, and must not be searched.
   void load_vertices(const Step& step, const Separations& separations, const BoxFrame* frame, Statistics& statistics);
-  /// True if boxes and vertices are of this step, judged by one vertex.
+  /// True if boxes and vertices belong to this step, judged by one vertex.
   bool are_of(const Step& step) const;
   /// Refits the boxes of residuals: displacements less a shared motion. REQUIRES: current boxes.
   void refit_residuals(const SharedMotion& shared);
-  /// Marks the vertices that are not 0 here: until another step is loaded, searches skip pairs of blocks without a
+  /// Marks the vertices that are not 0 here. Until another step is loaded, searches skip pairs of blocks without a
   /// marked vertex. Empty: they skip none. REQUIRES: current boxes, or empty.
   void mark(std::span<const std::uint8_t> of_vertex);
 
@@ -67,12 +67,12 @@ class FeatureTrees {
  private:
   void refit_trees();
   void update_trees(LooksAt looks_at, Statistics& statistics);
-  /// Does the order of the trees serve the current step, and the question?
+  /// True if the order of the trees serves the current step, and the question.
   bool is_order_good(LooksAt looks_at);
   bool is_order_of_start() const { return axes_.time == 0; }
   OrderAxes best_axes(LooksAt looks_at) const;
   BlockTree::Areas areas() const;
-  /// The trees of a kind's two features. Loose points are searched against loose edges and each other: all other
+  /// The trees of a kind's two features. Loose points are searched against loose edges and each other. All other
   /// contacts of points and edges are contacts of faces or of edges.
   std::array<const BlockTree*, 2> trees_of(PairKind kind) const;
   std::array<BlockTree*, 5> trees() { return {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}; }

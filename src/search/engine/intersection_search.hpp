@@ -1,5 +1,5 @@
-// Which edges pass through triangles, or touch them, in one pose? A vertex that runs along the edge during a step
-// touches exactly the triangles that the edge meets, so this is decided as vertex-face contacts are.
+// Finds the edges that pass through triangles, or touch them, in one pose. A vertex that runs along the edge during a
+// step touches exactly the triangles that the edge meets. So this is decided as vertex-face contacts are.
 #pragma once
 #include <span>
 #include <vector>

@@ -49,7 +49,7 @@ void keep_wanted(PairBuffer& pairs, const F& is_wanted) {
   pairs.count = kept;
 }
 
-/// The search finds each pair of loose points from both sides: keeps one of the two.
+/// The search finds each pair of loose points from both sides. Keeps one of the two.
 inline void keep_each_once(PairKind kind, PairBuffer& pairs) {
   if (kind == PairKind::vertex_vertex)
     keep_wanted(pairs, [&](int i) { return pairs.corner[0][i] < pairs.corner[1][i]; });

@@ -1,4 +1,4 @@
-// One thread's stream of pairs: it searches leaf blocks, or a list, into a small buffer, and consumes each full buffer.
+// One thread's stream of pairs. It searches leaf blocks, or a list, into a small buffer, and consumes each full buffer.
 // A derived class for each question says how (*_consumer, *_search).
 #pragma once
 #include "search/coherence/pair_lists.hpp"
@@ -27,7 +27,7 @@ class PairStream {
   /// The number of pairs still in the buffer.
   int waiting() const { return thread_.boxes.count; }
 
-  /// Can pairs of this kind still change the answer? Asked before each search and each leaf block.
+  /// True if pairs of this kind can still change the answer. Called before each search and each leaf block.
   virtual bool wants(PairKind) const { return true; }
   const Query& query() const { return *query_; }
   const SearchCounts& counts() const { return thread_.counts; }

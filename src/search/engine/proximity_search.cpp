@@ -31,7 +31,7 @@ void ProximityConsumer::consume(PairKind kind, PairBuffer& pairs) {
   keep(kind, unsure);
 }
 
-/// The caller's filter and the rings come last: they may cost more than a distance.
+/// The caller's filter and the rings come last. They may cost more than a distance.
 void ProximityConsumer::keep(PairKind kind, PairBuffer& pairs) {
   leave_out(query().filter, kind, pairs);
   if (query().rings.any())

@@ -13,7 +13,7 @@ struct Sample {
   int count_in(int blocks) const { return blocks > first ? (blocks - first + stride - 1) / stride : 0; }
 };
 
-/// The leaf blocks in up to seven samples, each as large as all before it: an early contact found in a small one
+/// The leaf blocks in up to seven samples, each as large as all before it. An early contact found in a small one
 /// shortens the step for the rest.
 class Samples {
  public:

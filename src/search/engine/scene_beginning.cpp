@@ -14,7 +14,7 @@ namespace {
 /// If the scene's width at t=0 is less than this part of the range of displacements, the floats of the boxes have lost
 /// so many bits of the scene that they cull little.
 constexpr double kSmallPart = 0x1p-8;
-/// The part of the scene's width that vertices may move in a beginning: they meet few others on so short a way.
+/// The part of the scene's width that vertices may move in a beginning. They meet few others on so short a way.
 constexpr double kPartOfWidth = 1.0 / 16;
 
 /// A quarter of the range of coordinates along the axis where it is widest, from half coordinates, which do not
@@ -29,8 +29,8 @@ double widest_range(std::span<const Index> points, const Half& half_of) {
 }  // namespace
 
 double beginning_of_long_step(const Step& step, std::span<const Index> points, double widening) {
-  // Displacements differ by no more than the scene's widths at both ends together: the part is no less than
-  // 1 / (1 + widening).
+  // Displacements differ by no more than the scene's widths at both ends together. So the part is no less than 1 / (1 +
+  // widening).
   if (widening < 0.5 / kSmallPart) return 1;
   const auto start = [&](Index v, std::size_t axis) { return 0.5 * step.start[v][axis]; };
   const auto displacement = [&](Index v, std::size_t axis) {

@@ -31,7 +31,7 @@ inline std::span<const TouchingPair> touching(const LaneDecisions& decisions) {
 
 /// Calls add(place, DecidedPair) for the pairs at these places that wants(place), each decided by decide(place,
 /// counts). Threads that have nothing else to do share them, as a pair takes a microsecond or a hundred. If not `all`
-/// are wanted, a decided pair may spare the next ones: first one pair is decided, then two, and so on.
+/// are wanted, a decided pair may spare the next ones. So first one pair is decided, then two, and so on.
 template <class Wants, class Decide, class Add>
 void decide_singly(SearchThread& thread, std::span<const std::int32_t> places, bool all, const Wants& wants,
                    const Decide& decide, const Add& add) {

@@ -20,8 +20,8 @@ KeepRule StepLengthQuery::rule() const {
   return {rounded_up(fraction), rounded_up(until / (1 - fraction)), rounded_up(until), spread, clearance_bounds(until)};
 }
 
-/// A pair can end the step only if (stretch - fraction) clearance <= until residual + advance clearance
-/// + (1 - stretch) separation; without a gradient, only if its speed suffices, by the same bound as in decide().
+/// A pair can end the step only if (stretch - fraction) clearance <= until residual + advance clearance + (1 - stretch)
+/// separation. Without a gradient, only if its speed suffices, by the same bound as in decide().
 ClearanceBounds StepLengthQuery::clearance_bounds(double until) const {
   constexpr double kShare = 0.25;  // (x + y + z)^2 <= (1 + kShare) x^2 + 2 (1 + 1 / kShare) (y^2 + z^2)
   const auto& [least, greatest] = shared_motion.stretch;

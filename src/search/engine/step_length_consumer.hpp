@@ -23,7 +23,7 @@ struct StepLengthQuery {
   /// The rule for pairs that may still end the step first, in time or in the order of contacts. Its limit is later than
   /// the bound by 2^-15 of it. That covers the rounding of the limit and of the searches in floats, and the loss of
   /// single pairs' times (2^-18, keeps_distance_until). So no pair is skipped that might have the same time as the
-  /// first, and the order of the search changes nothing.
+  /// first. The order of the search changes nothing.
   KeepRule rule() const;
 
  private:

@@ -9,12 +9,12 @@
 namespace tamis {
 namespace {
 
-/// If leaf blocks meet more than this many pairs each, short steps, on which they meet few, are searched first: a pair
+/// If leaf blocks meet more than this many pairs each, short steps are searched first, on which they meet few. A pair
 /// that ends a short step spares the rest of the search.
 constexpr std::uint64_t kManyPairsPerBlock = 1024;
 constexpr double kShortSteps[] = {0x1p-6, 0x1p-3};
-/// Short steps are no longer than this part of the time known to end the step: one that is hardly shorter meets hardly
-/// fewer pairs (docs/history/performance.md, "Steps made to be slow").
+/// Short steps are no longer than this part of the time known to end the step. A step that is hardly shorter meets
+/// hardly fewer pairs (docs/history/performance.md, "Steps made to be slow").
 constexpr double kShort = 0.25;
 /// In the coordinates of the boxes: with the separation kMeetsAll all boxes meet but outliers'; with kMeetsOutliers,
 /// these too.
@@ -87,7 +87,7 @@ void StepLengthSearch::search_trees(StepLengthQuery& asked) {
   for (const Sample& sample : std::span(samples).subspan(1)) streams_.search_trees(sample);
 }
 
-/// Has the search met many pairs a leaf block in `sample`, its first one?
+/// True if the search has met many pairs a leaf block in `sample`, its first one.
 bool StepLengthSearch::meets_many(const Sample& sample) const {
   std::uint64_t blocks = 0;
   workspace_.trees.for_each_kind([&](PairKind, const TreeView& a, const TreeView&) {

@@ -1,8 +1,8 @@
-// Conducts safe_step and truncate: how far may the step go so every pair keeps a fraction of its distance? A pair can
-// end the step before t only if it is fast enough: (1 - fraction) (distance at t=0 - min_separation) < t * relative
-// speed, less a motion that many share. And only if it comes as near as the fraction before t. So the search looks for
-// pairs of moving boxes that come as near, and each pair that ends the step earlier shortens it for all others. If one
-// start is queried again and again, the pairs near it are listed, and the list serves the queries.
+// Conducts safe_step and truncate: finds how far the step may go while every pair keeps a fraction of its distance. A
+// pair can end the step before t only if it is fast enough: (1 - fraction) (distance at t=0 - min_separation) < t *
+// relative speed, less a motion that many share. It must also come as near as the fraction before t. So the search
+// looks for pairs of moving boxes that come as near. Each pair that ends the step earlier shortens it for all others.
+// If one start is queried again and again, the pairs near it are listed. Then the list serves the queries.
 #pragma once
 #include "numbers/held_bytes.hpp"
 #include "search/coherence/pairs_near_start.hpp"

@@ -37,8 +37,8 @@ class ThreadStreams {
                   });
   }
 
-  /// Takes the sample of the lists' parts, instead of leaf blocks: pairs that may touch at some time of `when`, for
-  /// contacts until `t_limit`. `when` is in times of the lists' step, `t_limit` in times of the query's.
+  /// Takes the sample of the lists' parts, instead of leaf blocks. These are pairs that may touch at some time of
+  /// `when`, for contacts until `t_limit`. `when` is in times of the lists' step, `t_limit` in times of the query's.
   void search_lists(const PairLists& lists, const Sample& sample = {}, const TimeInterval<float>& when = {0, 1},
                     float t_limit = 1) {
     for (std::size_t i = 0; i < kPairKinds; ++i) {
@@ -114,7 +114,7 @@ class ThreadStreams {
 
   Workspace& workspace_;
   Shared* shared_ = nullptr;
-  /// Null where memory did not suffice for a consumer: oneTBB keeps an element whose construction threw.
+  /// Null where memory did not suffice for a consumer. oneTBB keeps an element whose construction threw.
   tbb::enumerable_thread_specific<std::unique_ptr<Consumer>> of_threads_;
 };
 

@@ -1,5 +1,5 @@
 // The times when pairs come within their separation. Each pair takes as many steps of conservative advancement as it
-// needs (pair/narrow/advancement.hpp). After each step the remaining pairs are compacted, so no lane waits for the
+// needs (pair/narrow/advancement.hpp). After each step the remaining pairs are compacted. So no lane waits for the
 // slowest. Undecided pairs then take the same steps one at a time (pair/narrow/first_within.hpp), with the same bits.
 #pragma once
 #include <limits>

@@ -1,4 +1,5 @@
-// Box tests of the search: do moving boxes meet, swept or at one time, and are boxes at rest within the separation?
+// Box tests of the search: whether moving boxes meet, swept or at one time, and whether boxes at rest are within the
+// separation.
 #pragma once
 #include <algorithm>
 
@@ -59,7 +60,7 @@ inline FloatLanes extent_at_start(const BoxBlock& block, int first) {
 }
 
 /// Boxes that move until t_limit. The cheap test (meet) compares swept boxes, relative to an observer who moves with
-/// the leaf block searched from: so a common motion makes no box larger. The sharp test (meet_at_some_time) looks for a
+/// the leaf block searched from. So a common motion makes no box larger. The sharp test (meet_at_some_time) looks for a
 /// time at which all gaps between two boxes are closed. Two features can touch only if their boxes pass both tests.
 class MovingBoxes {
  public:
@@ -89,7 +90,7 @@ class MovingBoxes {
     if (has_outliers_) widen(block, bounds);
   }
 
-  /// The cheap test: do the swept boxes meet? Their bounds are off by less than kLaterMargin each.
+  /// The cheap test: whether the swept boxes meet. Their bounds are off by less than kLaterMargin each.
   template <class A, class B>
   [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
     return largest_gap(a, b) <= FloatLanes(2 * kLaterMargin);
@@ -182,7 +183,7 @@ class MovingBoxes {
 };
 
 /// Boxes at t=0, widened by the separation. Two features can be within the separation only if their unwidened boxes
-/// are: the distance of these is the root of the sum of the squares of the three gaps.
+/// are. The distance of these is the root of the sum of the squares of the three gaps.
 class RestBoxes {
  public:
   static constexpr bool kMoves = false, kHasReach = false;

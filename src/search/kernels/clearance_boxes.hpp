@@ -4,8 +4,8 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// The clearance test of KeepBoxes alone, without a gradient: less than half the work, and hardly more pairs where
-/// features move little against each other.
+/// The clearance test of KeepBoxes alone, without a gradient. It has less than half the work, and hardly more pairs
+/// where features move little against each other.
 class ClearanceBoxes {
  public:
   static constexpr bool kMoves = false, kHasReach = true;
@@ -42,8 +42,8 @@ class ClearanceBoxes {
   const float t_limit_, per_residual2_;
 };
 
-/// Is there no gradient, and do all features move less against each other than half of a leaf block's size? Then the
-/// clearance test alone is nearly as sharp as all of KeepBoxes (docs/history/performance.md, "What chooses").
+/// True if there is no gradient, and all features move less against each other than half of a leaf block's size. Then
+/// the clearance test alone is nearly as sharp as all of KeepBoxes (docs/history/performance.md, "What chooses").
 inline bool moves_little(const Search& search, int block) {
   return search.keep.clearance.per_size2 == 0 &&
          search.keep.reach_per_speed * search.keep.spread < 0.5f * extent(search, block);

@@ -8,7 +8,7 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// The slab clip, in floats: its times need not be sharp, and twice as many pairs fit into the lanes.
+/// The slab clip, in floats. Its times need not be sharp, and twice as many pairs fit into the lanes.
 template <PairKind kind, Course course = Course::step>
 void slab(const MotionView& motion, const PairBuffer& in, PairBuffer& out) {
   out.count = 0;

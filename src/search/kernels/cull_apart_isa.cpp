@@ -7,7 +7,7 @@
 namespace tamis::TAMIS_ISA {
 namespace {
 
-/// Culls pairs by one axis that turns in each of `parts` parts of their times. In floats: culling need not be sharp,
+/// Culls pairs by one axis that turns in each of `parts` parts of their times. In floats. Culling need not be sharp,
 /// and twice as many pairs fit into the lanes. Writes the pairs left to `out`, which may be `in`; returns their number.
 template <PairKind kind>
 int cull_in_parts(int parts, const MotionView& motion, const PairBuffer& in, PairBuffer& out) {

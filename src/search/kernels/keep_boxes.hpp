@@ -1,5 +1,5 @@
-// Box test for step lengths: in which moving boxes may features come nearer than the fraction of their distance that
-// they must keep?
+// Box test for step lengths. Finds the moving boxes in which features may come nearer than the fraction of their
+// distance that they must keep.
 #pragma once
 #include "search/kernels/reach.hpp"
 
@@ -61,7 +61,7 @@ class KeepBoxes {
       for_each_side(axis, a, b, [&](const auto& at0, const auto& later) {
         gap = max(gap, at0);
         far = min(far, at0);
-        // Halfway the gap is the mean of both: each sum below is twice the least gap of one half of the time.
+        // Halfway the gap is the mean of both. Each sum below is twice the least gap of one half of the time.
         const FloatLanes least = min(at0, later);
         first = max(first, at0 + least);
         second = max(second, least + later);

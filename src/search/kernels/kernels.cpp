@@ -20,7 +20,7 @@ extern const Kernels kKernels;
 
 namespace {
 
-/// The kernels of an instruction set; null if this machine or this build has none. The compiler names a set that is
+/// The kernels of an instruction set. Null if this machine or this build has none. The compiler names a set that is
 /// missing here.
 const Kernels* kernels_if_here(Isa isa) {
   switch (isa) {

@@ -1,5 +1,5 @@
-// The hot loops, compiled once per instruction set and chosen at run time. Plain pointers only: a kernel object must
-// not emit code of shared templates, which the linker could then pick for a machine without that instruction set.
+// The hot loops, compiled once per instruction set and chosen at run time. Plain pointers only. A kernel object must
+// not emit code of shared templates. The linker could pick it for a machine without that instruction set.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -40,7 +40,7 @@ struct LaneDecisions {
   int touching_count = 0, undecided_count = 0;
 };
 
-/// Room for the decisions on so many pairs.
+/// Room for the decisions on this many pairs.
 template <int pairs>
 struct DecisionRoom {
   LaneDecisions lists() { return {touching, undecided}; }
@@ -102,19 +102,19 @@ struct Search {
 /// Searches from one leaf block of `a`.
 using SearchKernel = void (*)(Search& search, int block);
 
-/// The vertices of a step in the layout of Positions; a stride is the distance to the next vertex, in doubles.
+/// The vertices of a step in the layout of Positions. A stride is the distance to the next vertex, in doubles.
 struct StepRows {
   const double *start, *end;
   std::ptrdiff_t start_stride, end_stride;
 };
 
-/// The kernels of one kind of pairs; null where the kind has no use for one. Kernels that cull overwrite `out` with the
+/// The kernels of one kind of pairs. Null where the kind has no use for one. Kernels that cull overwrite `out` with the
 /// pairs that they leave.
 struct PairKernels {
   /// Finds all pairs of a feature in leaf block `block` of `a` with a feature of `b` that share no vertex and whose
-  /// moving boxes meet; and some more pairs, depending on how features are put into blocks (box_overlap.hpp). Edges are
-  /// searched against blocks from `block` on, each pair once. Loose edges and points are searched like faces, their
-  /// last vertex repeated.
+  /// moving boxes meet. Also finds some more pairs, depending on how features are put into blocks (box_overlap.hpp).
+  /// Edges are searched against blocks from `block` on, each pair once. Loose edges and points are searched like faces,
+  /// their last vertex repeated.
   SearchKernel search = nullptr;
   /// The same for boxes at t=0. Two boxes together are widened by search.widened.
   SearchKernel search_at_rest = nullptr;

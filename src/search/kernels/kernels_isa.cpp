@@ -1,4 +1,4 @@
-// The table of all kernels of one instruction set: this file is compiled once for each.
+// The table of all kernels of one instruction set. This file is compiled once for each.
 #include "search/kernels/bound_leaf.hpp"
 #include "search/kernels/clearance_boxes.hpp"
 #include "search/kernels/crossing_kernels.hpp"

@@ -1,6 +1,6 @@
 // Tests the features of one leaf block against the features of the leaf blocks that it may meet. A row is one feature
 // against the sixteen of another block. Rows without pairs are removed stage by stage, without branches on which boxes
-// meet: no processor could predict them.
+// meet. No processor could predict such branches.
 #pragma once
 #include <utility>
 
@@ -11,10 +11,10 @@ namespace tamis::TAMIS_ISA {
 
 /// How the features of two leaf blocks are tested against each other.
 enum class Test {
-  boxes,                ///< do their boxes meet by the search's cheap test?
-  some_time,            ///< do they meet at one time? Each of my features against sixteen of theirs
+  boxes,                ///< their boxes meet by the search's cheap test
+  some_time,            ///< they meet at one time; each of my features against sixteen of theirs
   some_time_of_theirs,  ///< the same, each of their features against sixteen of mine
-  reach,                ///< are they within reach of each other at t=0?
+  reach,                ///< they are within reach of each other at t=0
 };
 
 /// A leaf block of search.b that mine may meet.
@@ -54,7 +54,7 @@ class LeafRows {
     leaf_count_ += leaf.rows != 0;
   }
 
-  /// Is there no space for the leaves of another node?
+  /// True if there is no space for the leaves of another node.
   bool is_full() const { return leaf_count_ > kMostLeaves - kBlock; }
 
   /// Finds the pairs of all leaves that were appended, and empties the list of leaves.
@@ -84,7 +84,7 @@ class LeafRows {
   /// rows get the sharp test at once (docs/history/performance.md, "What chooses").
   static constexpr int kSample = 16;
   static constexpr double kMostMet = 0.65;
-  /// A row with at most this many features within reach is not tested again: later stages take less time
+  /// A row with at most this many features within reach is not tested again. Later stages take less time
   /// (docs/history/performance.md, "Reach by blocks").
   static constexpr int kFew = 2;
 
@@ -114,7 +114,7 @@ class LeafRows {
     boxes_.bound(search_.b, 0, leaves_[i].block, theirs_[i]);
   }
 
-  /// For a leaf whose features move far: turns the rows around, to its features that may meet my hull, if that gives
+  /// For a leaf whose features move far. Turns the rows around, to its features that may meet my hull, if that gives
   /// fewer rows.
   void ask_fewer(MetLeaf& leaf) const {
     if (leaf.test != Test::some_time || (RowPairs<kind, course>::kIsSelf && leaf.block == block_)) return;
@@ -137,7 +137,7 @@ class LeafRows {
       row_pairs_.template append<one>(leaf_of(rows_[i]).block, lane_of(rows_[i]), found_[i], boxes_.t_limit());
   }
 
-  /// Of the first `count` rows keeps the rows with features that meet at one time. Returns their number.
+  /// Keeps, of the first `count` rows, the rows with features that meet at one time. Returns their number.
   template <One one>
   int keep_fast_rows(int count) {
     const auto cheap = [&](int i) { return others_that_meet<one>(rows_[i]); };
@@ -154,7 +154,7 @@ class LeafRows {
     return keep_rows(found, keep_rows(sample, count, found, cheap), found, both);
   }
 
-  /// Of the first `count` rows keeps the rows with features within reach. Returns their number.
+  /// Keeps, of the first `count` rows, the rows with features within reach. Returns their number.
   int keep_near_rows(int count) {
     const int near = keep_rows(0, count, 0, [&](int i) { return others_within_reach(rows_[i]); });
     return keep_rows(0, near, 0, [&](int i) {
@@ -176,12 +176,12 @@ class LeafRows {
     return to;
   }
 
-  /// A row's place in leaves_, and the lane of its one feature: unsigned arithmetic takes fewer operations.
+  /// A row's place in leaves_, and the lane of its one feature. Unsigned arithmetic takes fewer operations.
   static unsigned place_of(std::int32_t row) { return static_cast<unsigned>(row) / kBlock; }
   const MetLeaf& leaf_of(std::int32_t row) const { return leaves_[place_of(row)]; }
   static int lane_of(std::int32_t row) { return static_cast<int>(static_cast<unsigned>(row) % kBlock); }
 
-  /// Bits of the sixteen of a row that are within reach of its one feature and no neighbours of it.
+  /// Bits of the sixteen of a row that are within reach of its one feature and are not its neighbours.
   unsigned others_within_reach(int row) const {
     const MetLeaf& leaf = leaf_of(row);
     return within_reach(search_.a.levels[0][block_], lane_of(row), search_.b.levels[0][leaf.block], leaf.reach) &

@@ -88,7 +88,7 @@ inline Moving<FloatLanes> to_float(const Moving<DoubleLanes>& low, const Moving<
   return {to_float(low.at0, high.at0), to_float(low.at1, high.at1)};
 }
 
-/// The motions of twice as many pairs, in doubles, rounded to float: the rounding is within the kInput of float lanes.
+/// The motions of twice as many pairs, in doubles, rounded to float. The rounding is within the kInput of float lanes.
 template <PairKind kind>
 inline PairMotion<FloatLanes> load_motion_as_float(const MotionView& view, const PairBuffer& pairs, int first) {
   static_assert(kFloatLanes == 2 * kDoubleLanes);

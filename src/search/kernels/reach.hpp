@@ -1,5 +1,5 @@
-// Reach: how far apart features in two boxes can be at t=0 and still end the step, by their residuals; and which boxes
-// are within that reach.
+// Reach: how far apart features in two boxes can be at t=0 and still end the step, by their residuals. Also finds the
+// boxes within that reach.
 #pragma once
 #include "search/kernels/box_overlap.hpp"
 

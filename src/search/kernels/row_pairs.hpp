@@ -57,8 +57,8 @@ class RowPairs {
       const auto my = [&](int corner) { return of(mine_, One::mine, corner); };
       const auto their = [&](int corner) { return of(theirs, One::theirs, corner); };
       if constexpr (kIsSelf) {
-        // The edge with the smaller first vertex comes first, so the answer does not depend on the order in the
-        // tree. Edges without a common vertex differ in their first.
+        // The edge with the smaller first vertex comes first. So the answer does not depend on the order in the tree.
+        // Edges without a common vertex differ in their first.
         const auto is_first = my(0) < their(0);
         for (int c = 0; c < 2; ++c) {
           put(c, select(is_first, my(c), their(c)));

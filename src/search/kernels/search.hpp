@@ -29,7 +29,7 @@ class BlockSearch {
 
  private:
   using Bounds = typename Boxes::Bounds;
-  /// A reach up to this part of a leaf block's extent is short: hardly any features but neighbours are within it
+  /// A reach up to this part of a leaf block's extent is short. Hardly any features but neighbours are within it
   /// (docs/history/performance.md, "Reach by blocks").
   static constexpr float kShortReach = 0x1p-4f;
 
@@ -73,7 +73,7 @@ class BlockSearch {
     return rest;
   }
 
-  /// True if some reach can be short. The reach between two blocks is at least half of the reach within mine: any
+  /// True if some reach can be short. The reach between two blocks is at least half of the reach within mine. Any
   /// residual is at least half the range of my residuals away from one end of that range.
   void expect_short_reaches() {
     const auto mine = [&](int k) { return FloatLanes(my_hull_[k]); };

@@ -7,7 +7,8 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// The first test of may_end_step(), on the floats of the boxes: most pairs need no other, and half the memory is read.
+/// The first test of may_end_step(), on the floats of the boxes. Most pairs need no other test, and half the memory is
+/// read.
 template <PairKind kind>
 void leave_out_kept(const MotionView& motion, const KeepRule& rule, PairBuffer& pairs) {
   int count = 0;
@@ -24,8 +25,8 @@ void leave_out_kept(const MotionView& motion, const KeepRule& rule, PairBuffer& 
 }
 
 /// Of the pairs in `left`, bits of the lanes from `first` on, those that are proven to keep the fraction on the whole
-/// step, by the same doubles as keeps_distance_until. Between long features that nearly touch an axis in floats tilts
-/// too much, and is_kept() asks for too much room.
+/// step, by the same doubles as keeps_distance_until. Between long features that nearly touch, an axis in floats tilts
+/// too much. Then is_kept() demands too much room.
 template <PairKind kind>
 unsigned kept_to_end(const MotionView& motion, const KeepRule& rule, const PairBuffer& pairs, int first,
                      unsigned left) {

@@ -1,4 +1,4 @@
-// Cancellation is checked before each batch of pairs, and before each pair that is decided singly, which can take
+// Cancellation is checked before each batch of pairs, and before each pair that is decided singly. Such a pair can take
 // milliseconds.
 #pragma once
 #include "search/query/isolated.hpp"

@@ -1,4 +1,4 @@
-// Makes answers of decided pairs: it collects all contacts, those that may be the first (of all, or of each pair of
+// Makes answers of decided pairs. It collects all contacts, those that may be the first (of all, or of each pair of
 // bodies), or one.
 #pragma once
 #include <vector>
@@ -28,17 +28,18 @@ class ContactCollector {
   /// Begins a query; the memory stays. Keeps references to query and bound, which all threads share. REQUIRES: a bound
   /// that has begun.
   void begin(const Query& query, Bound& bound);
-  /// Takes a decided pair if it touches, can change the answer, and its features are no neighbours. Returns whether it
-  /// did. `by_integers`: no cheaper arithmetic could decide the pair. REQUIRES: a kind there is, times in [0,1] and in
-  /// order.
+  /// Takes a decided pair if it touches, if it can change the answer, and if its features are not neighbours. Returns
+  /// whether it did. `by_integers`: no cheaper arithmetic could decide the pair. REQUIRES: a kind there is, times in
+  /// [0,1] and in order.
   bool add(PairKind kind, const PairVertices& vertices, const PairResult& result, bool by_integers = false);
   /// True if this pair, which is apart before the time `from`, can still change the answer. Cheap: call it before
   /// deciding a pair. A pair that touches at t=0 makes all later pairs in the order of contacts irrelevant. Any contact
   /// ends the question is_free.
   bool wants(PairKind kind, const PairVertices& vertices, double from = 0) const;
-  /// Can any pair of this kind?
+  /// True if any pair of this kind can still change the answer.
   bool wants(PairKind kind) const { return query_->each_of || wants(kind, {0, 0, 0, 0}); }
-  /// Is it worth asking `wants` of each pair first? Not before a known pair touches at t=0, if there is one answer.
+  /// True if it is worth calling `wants` for each pair first. It is not before a known pair touches at t=0, if there is
+  /// one answer.
   bool is_choosy() const { return query_->each_of || touches_at_start(0); }
   /// The latest time of interest for this pair.
   double latest(PairKind kind, const PairVertices& vertices) const {
@@ -74,7 +75,7 @@ class ContactCollector {
   std::uint64_t memory_bytes() const { return held_bytes(contacts_) + first_.capacity() * sizeof(FirstContact); }
 
  private:
-  /// Does a known pair of this answer touch at t=0?
+  /// True if a known pair of this answer touches at t=0.
   bool touches_at_start(std::size_t answer) const {
     const EarliestContact& first = first_[answer].earliest();
     return first.contact && first.toi_upper == 0;

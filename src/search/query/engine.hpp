@@ -1,4 +1,4 @@
-// The interface of what searches a mesh: a query goes in, its answer comes out.
+// The interface of the search of a mesh. A query goes in, its answer comes out.
 #pragma once
 #include <memory>
 #include <tuple>

@@ -1,5 +1,5 @@
-// The first of many contacts, by order of time, then kind and vertices. Where a crowd of pairs meets at one time, as
-// when a scene passes through one line, this order would need the exact time of each pair. So the pairs of a crowd
+// The first of many contacts, by order of time, then kind and vertices. A crowd of pairs may meet at one time, as when
+// a scene passes through one line. Then this order would need the exact time of each pair. So the pairs of a crowd
 // count as touching together.
 #pragma once
 #include <utility>

@@ -1,14 +1,15 @@
-// May two vertices touch, by their groups?
+// Tells whether two vertices may touch, by their groups.
 #pragma once
 #include "numbers/assert.hpp"
 #include "tamis/options.hpp"
 
 namespace tamis {
 
-/// Are there groups that may not touch?
+/// True if there are groups that may not touch.
 inline bool has_groups(const PairFilter& filter) { return !filter.groups_may_touch.empty(); }
 
-/// May the groups of two vertices touch? REQUIRES: has_groups; vertices that have a group, groups that there are.
+/// True if the groups of two vertices may touch. REQUIRES: has_groups; vertices that have a group, groups that there
+/// are.
 inline bool may_touch(const PairFilter& filter, Index a, Index b) {
   TAMIS_ASSERT(has_groups(filter));
   const auto group = [&](Index v) {

@@ -28,7 +28,7 @@ inline PairPoints points_of(const Step& step, const PairVertices& vertices) {
   return points;
 }
 
-/// The points of a vertex that runs along the edge during the step, and of the face at rest: they touch where edge and
+/// The points of a vertex that runs along the edge during the step, and of the face at rest. They touch where edge and
 /// face meet.
 inline PairPoints edge_runner_points(const Positions& at, const Edge& edge, const Face& face) {
   PairPoints points = points_of({at, at}, {edge[0], face[0], face[1], face[2]});

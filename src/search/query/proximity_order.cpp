@@ -5,12 +5,12 @@
 namespace tamis {
 namespace {
 
-/// With more vertices for each pair than this, a comparison sort: counters would be most of the work.
+/// With more vertices for each pair than this, a comparison sort. Counters would be most of the work.
 constexpr std::size_t kVerticesPerPair = 8;
 
 }  // namespace
 
-/// A radix sort: stable passes by each vertex, the first vertex in the last pass. No branch depends on a pair; a
+/// A radix sort: stable passes by each vertex, the first vertex in the last pass. No branch depends on a pair. A
 /// comparison sort of each vertex's pairs took twice as long.
 void ProximityOrder::sort(std::vector<PairVertices>& pairs, Index vertex_count, const std::function<void()>& pause) {
   const std::size_t buckets = static_cast<std::size_t>(vertex_count) + 1;  // the first is for -1, no vertex

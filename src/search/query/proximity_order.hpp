@@ -8,8 +8,8 @@
 
 namespace tamis {
 
-/// Sorts pairs of one kind by their vertices; keeps its scratch memory from call to call. Runs in the caller's oneTBB
-/// arena. Calls `pause` now and then, from several threads; an exception from `pause` ends the sort.
+/// Sorts pairs of one kind by their vertices. Keeps its scratch memory from call to call. Runs in the caller's oneTBB
+/// arena. Calls `pause` now and then, from several threads. An exception from `pause` ends the sort.
 class ProximityOrder {
  public:
   void sort(

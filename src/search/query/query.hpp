@@ -18,7 +18,7 @@ namespace tamis {
 enum class Question : std::uint8_t {
   all_contacts,
   earliest,
-  is_free,  ///< also in a search for intersections: is there none?
+  is_free,  ///< in a search for intersections: whether there are none
 };
 
 /// Refers to positions, radii, filter, rings, function and frame, which must outlive it.
@@ -34,7 +34,7 @@ struct Query {
   bool accepts_intersections = false;
   /// The frame of the whole scene, if the mesh is a part of it; null: the frame of the mesh.
   const BoxFrame* frame = nullptr;
-  /// The step is a piece of a path: the next one has other radii, so nothing is listed ahead.
+  /// The step is a piece of a path. The next one has other radii, so nothing is listed ahead.
   bool is_piece = false;
   /// With `earliest` the answers are the first contacts of these pairs of bodies; null: the first one of the mesh.
   /// Other pairs of bodies are skipped.
@@ -53,7 +53,7 @@ struct Query {
   DistanceRule distance_rule_for(PairKind kind, const std::array<Index, 4>& vertices, double fraction) const {
     return {fraction, separations.between(kind, vertices), ignores_start};
   }
-  /// True if the pair's features are fewer edges apart than the caller wants. Takes a search along the mesh, so it runs
+  /// True if the pair's features are fewer edges apart than the caller wants. Takes a search along the mesh. So it runs
   /// last, for pairs that would be in the answer.
   bool are_neighbours(PairKind kind, const std::array<Index, 4>& v) const {
     const std::span<const Index> all(v.data(), vertex_count(kind));

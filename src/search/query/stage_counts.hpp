@@ -26,7 +26,7 @@ inline void add(StageCount& to, const StageCount& from) {
   for (const auto of_kind : kCountOfKind) to.*of_kind += from.*of_kind;
 }
 
-/// Adds to the stage of the same name; a new name becomes the last stage.
+/// Adds to the stage of the same name. A new name becomes the last stage.
 inline void add(std::vector<StageCount>& to, const StageCount& from) {
   const auto same = std::ranges::find(to, from.name, &StageCount::name);
   if (same == to.end())

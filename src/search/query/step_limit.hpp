@@ -16,14 +16,14 @@ struct StepLimit {
   PairKind kind = PairKind::vertex_face;
   PairVertices vertices{};
 
-  /// Keeps the earlier of both; of equal times the first in the order of contacts.
+  /// Keeps the earlier of both. Of equal times it keeps the first in the order of contacts.
   void add(const StepLimit& other) {
     TAMIS_ASSERT(0 <= other.time && other.time <= 1);
     if (other.time < 1 && other.key() < key()) *this = other;
   }
 
-  /// Is it certain that no pair of the other kind with these vertices (by default: with any) ends the step first? It is
-  /// if this pair ends the step at t=0, and comes before that one in the order of contacts.
+  /// True if it is certain that no pair of the other kind with these vertices (by default: with any) ends the step
+  /// first. It is if this pair ends the step at t=0, and comes before that one in the order of contacts.
   bool rules_out(PairKind other_kind, const PairVertices& others = {}) const {
     return time == 0 && key() < StepLimit{0, other_kind, others}.key();
   }

@@ -5,7 +5,7 @@
 namespace tamis {
 
 /// Hands a decided pair to the collector. Where the query ignores the start, a pair that touches at t=0 is decided
-/// again, for its recontact. `by_integers`: as of ContactCollector::add. Returns true if the pair counts.
+/// again, for its recontact. `by_integers`: as in ContactCollector::add. Returns true if the pair counts.
 bool add_what_counts(ContactCollector& found, PairKind kind, const PairVertices& vertices, const PairResult& result,
                      PrecisionCount& decided_by, bool by_integers = false);
 

@@ -12,7 +12,7 @@ namespace tamis {
 /// The largest number of an Index.
 inline constexpr auto kMostNumbers = static_cast<std::size_t>(std::numeric_limits<Index>::max());
 
-/// Edges, and the rows of faces by vertex and by edge, are numbered by Index: three sides a face and the loose edges
+/// Edges, and the rows of faces by vertex and by edge, are numbered by Index. Three sides a face and the loose edges
 /// must have a number each. Throws InvalidMesh if they have not.
 inline void require_countable(std::size_t faces, std::size_t loose_edges) {
   if (loose_edges <= kMostNumbers && faces <= (kMostNumbers - loose_edges) / 3) return;
@@ -21,7 +21,7 @@ inline void require_countable(std::size_t faces, std::size_t loose_edges) {
                     std::to_string(kMostNumbers) + " at most; split the mesh");
 }
 
-/// Throws InvalidMesh unless both ends of all edges can be numbered by Index: rows of neighbours hold them all.
+/// Throws InvalidMesh unless both ends of all edges can be numbered by Index. Rows of neighbours hold them all.
 inline void require_countable_ends(std::size_t edges) {
   if (edges <= kMostNumbers / 2) return;
   throw InvalidMesh("the mesh has " + std::to_string(edges) + " edges: where neighbours are asked for, as rings do, " +

@@ -30,8 +30,8 @@ inline double mean_edge(const Mesh& mesh, const Positions& points,
 }
 
 /// The mean edge of the finest part of a mesh whose edges are mostly much longer, such as a terrain below a cloth. A
-/// limit in the terrain's edges would span the whole cloth. Of edges up to kLonger times as long as the shortest
-/// sixteenth.
+/// limit in the terrain's edges would span the whole cloth. The mean is over edges up to kLonger times as long as the
+/// shortest sixteenth.
 inline double mean_fine_edge(const Mesh& mesh, const Positions& points) {
   constexpr std::size_t kSample = 64, kSlivers = kSample / 16;
   constexpr double kLonger = 4;

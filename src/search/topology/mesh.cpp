@@ -40,7 +40,8 @@ struct FaceSide {
   Index side;
 };
 
-/// Sides of faces and loose edges, sorted by edge: a counting sort by first vertex, then a sort in each bucket.
+/// Sides of faces and loose edges, sorted by edge. A counting sort by first vertex comes first, then a sort in each
+/// bucket.
 std::vector<FaceSide> collect_sides(Index vertex_count, const std::vector<Face>& faces,
                                     const std::vector<Edge>& loose_edges) {
   const auto for_each = [&](const auto& f) {

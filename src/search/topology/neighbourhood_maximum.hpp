@@ -1,4 +1,4 @@
-// A feature has the largest radius of its vertices, which need not be the radius of the vertex that moves or deviates
+// A feature has the largest radius of its vertices. This need not be the radius of the vertex that moves or deviates
 // most. Where both are added vertex by vertex, each vertex takes the largest radius of its neighbourhood instead.
 #pragma once
 #include <algorithm>

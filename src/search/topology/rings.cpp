@@ -25,7 +25,7 @@ struct Ring {
     return std::transform_reduce(vertices.begin(), vertices.end(), std::size_t{0}, std::plus(),
                                  [&](Index v) { return next_to[v].size(); });
   }
-  /// Moves to the next ring: a neighbour of a ring is in that ring, in the one before it, or in the next.
+  /// Moves to the next ring. A neighbour of a ring is in that ring, in the one before it, or in the next.
   void grow(const IndexRows& next_to) {
     Ring next({});
     for (const Index v : vertices)

@@ -14,10 +14,10 @@ class Rings {
   /// common vertex, nothing is stored. REQUIRES: rings >= 1.
   Rings(const Mesh& mesh, int rings);
 
-  /// Is there more than one ring? If not, only features with a common vertex are neighbours.
+  /// True if there is more than one ring. If not, only features with a common vertex are neighbours.
   bool any() const { return rings_ > 1; }
-  /// Is the shortest way along edges, from a vertex of one feature to one of the other, shorter than `rings` > 1? Grows
-  /// rings around both, each time the one with fewer edges. REQUIRES: vertices of the mesh.
+  /// True if the shortest way along edges, from a vertex of one feature to a vertex of the other, is shorter than
+  /// `rings` > 1. Grows rings around both, each time the one with fewer edges. REQUIRES: vertices of the mesh.
   bool are_neighbours(std::span<const Index> first, std::span<const Index> second) const {
     return any() && search(first, second);
   }

@@ -20,7 +20,7 @@ struct IndexRows {
   Index size() const { return static_cast<Index>(offsets.size()) - 1; }
 };
 
-/// `for_each(add)`, called twice, calls add(row, item) for each item; a row has its items in the order of these calls.
+/// `for_each(add)`, called twice, calls add(row, item) for each item. A row has its items in the order of these calls.
 /// REQUIRES (not checked: O(n)): rows in [0, count), fewer than 2^31 items.
 template <class ForEach>
 IndexRows rows_of(Index count, const ForEach& for_each) {

@@ -8,8 +8,9 @@ import sys
 import doors
 
 PAGE = "docs/questions.md"
-HINT = """Write a row '| what it is for | `name` |', or a second name into the cell of its row; '-' means that a door has none.
-Then run scripts/generate.py, which fills empty cells. What is not a question stands in NOT_QUESTIONS of scripts/doors.py."""
+HINT = """\
+Write a row '| what it is for | `name` |', or a second name into the cell of its row; '-': this door has none.
+Then run scripts/generate.py, which fills empty cells. What is not a question: NOT_QUESTIONS, scripts/doors.py."""
 # Sources of tests that must ask every question of a detector.
 ASK_ALL = ("tests/support/every_question.cpp", "tests/support/as_new.hpp")
 
@@ -31,8 +32,10 @@ def fitting(row: list[str], offered: set[str]) -> list[str]:
 
 def filled(title: str, table: list[str], columns: list[set[str]], faults: list[str]) -> list[str]:
     """Return the lines of a table. Cells keep the names that their door has, and get the missing ones."""
-    head, _, *rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in table]
-    rows = [row + [""] * (len(head) - len(row)) for row in rows]
+    head, _, *given = [[cell.strip() for cell in line.strip("|").split("|")] for line in table]
+    given = [row + [""] * (len(head) - len(row)) for row in given]
+    last = len(columns) + 1  # a reason may follow, which names what it likes
+    rows, reasons = [row[:last] for row in given], [row[last:] for row in given]
     done = [[row[0]] for row in rows]
     for number, offered in enumerate(columns, start=1):
         kept = [[name for name in names(row[number]) if name in offered] for row in rows]
@@ -44,19 +47,18 @@ def filled(title: str, table: list[str], columns: list[set[str]], faults: list[s
                 faults.append(f"{PAGE}, {title}, {head[number]}: no row names {name}")
         for row, cell in zip(done, cells):
             row.append(", ".join(f"`{name}`" for name in cell) or "-")
-    for row, given in zip(done, rows):
-        reason = given[len(row) :]
-        if set(row[1:]) == {"-"}:
-            faults.append(f"{PAGE}, {title}, {row[0]}: no door has what this row names. Delete it, or write the new name")
-        elif "-" in row and not any(reason):
-            faults.append(f"{PAGE}, {title}, {row[0]}: say in the last column why some door lacks it")
-        row += reason
-    return [*table[:2], *(f"| {' | '.join(row)} |".replace("|  |", "| |") for row in done)]
+    for row, reason in zip(done, reasons):
+        lacking = [door for door, cell in zip(head, row) if cell == "-"]
+        if len(lacking) == len(columns):
+            faults.append(f"{PAGE}, {title}, {row[0]}: no door has this. Delete the row, or write the new name")
+        elif lacking and not any(reason):
+            faults.append(f"{PAGE}, {title}, {row[0]}: say in the last column why these lack it: {'; '.join(lacking)}")
+    return [*table[:2], *(f"| {' | '.join(row + why)} |".replace("|  |", "| |") for row, why in zip(done, reasons))]
 
 
 def unasked() -> list[str]:
-    asked = doors.methods("include/tamis/detector.hpp", "Detector")
-    return [f"{at}: nobody asks {name}" for at in ASK_ALL for name in sorted(asked) if f".{name}(" not in doors.text(at)]
+    asked = sorted(doors.methods("include/tamis/detector.hpp", "Detector"))
+    return [f"{at}: nobody asks {name}" for at in ASK_ALL for name in asked if f".{name}(" not in doors.text(at)]
 
 
 def undocumented() -> list[str]:

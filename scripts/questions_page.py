@@ -31,7 +31,7 @@ def fitting(row: list[str], offered: set[str]) -> list[str]:
 
 
 def filled(title: str, table: list[str], columns: list[set[str]], faults: list[str]) -> list[str]:
-    """Return the lines of a table. Cells keep the names that their door has, and get the missing ones."""
+    """Return the lines of a table. Cells keep the names that their door has; those without any get them."""
     head, _, *given = [[cell.strip() for cell in line.strip("|").split("|")] for line in table]
     given = [row + [""] * (len(head) - len(row)) for row in given]
     last = len(columns) + 1  # a reason may follow, which names what it likes
@@ -41,7 +41,7 @@ def filled(title: str, table: list[str], columns: list[set[str]], faults: list[s
         kept = [[name for name in names(row[number]) if name in offered] for row in rows]
         cells = [named if row[number] else fitting(row, offered) for row, named in zip(rows, kept)]
         for name in sorted(offered.difference(*cells)):
-            if places := [cell for row, cell in zip(rows, cells) if fitting(row, {name})]:
+            if places := [cell for row, cell in zip(rows, cells) if not cell and fitting(row, {name})]:
                 places[0].append(name)
             else:
                 faults.append(f"{PAGE}, {title}, {head[number]}: no row names {name}")

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """generate.py [--check]: writes the files that repeat what another file says. --check compares instead, and writes none.
 
-bindings/rust/src/sys.rs declares in Rust what the headers of the C interface declare.
+bindings/rust/src/sys.rs declares in Rust what the headers of the C interface declare. docs/questions.md names each
+question and option in every door (questions_page.py), docs/python.md the arguments of Detector and World.
 """
 
 from __future__ import annotations
@@ -9,6 +10,9 @@ from __future__ import annotations
 import pathlib
 import re
 import sys
+
+sys.dont_write_bytecode = True
+import questions_page  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CLAMP = ROOT / "integrations/rapier/clamp/clamp.h"
@@ -158,7 +162,11 @@ def sys_rs() -> str:
     return HEAD + "\n".join(lines) + "\n" + OF_CLAMP + "\n".join(f"    {line}" for line in clamp) + "\n}\n"
 
 
-GENERATED = {"bindings/rust/src/sys.rs": sys_rs}
+GENERATED = {
+    "bindings/rust/src/sys.rs": sys_rs,
+    questions_page.PAGE: questions_page.questions,
+    "docs/python.md": questions_page.signatures,
+}
 
 
 def main() -> int:

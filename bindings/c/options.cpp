@@ -25,6 +25,17 @@ PairFilter filter_of(const tamis_options& given, Index vertex_count) {
   return filter;
 }
 
+/// Reads the options that detectors, worlds and lists of pairs share.
+template <typename Read, typename Given>
+Read shared_options(const Given& given) {
+  Read options;
+  options.isa = isa_of(given.isa);
+  options.threads = given.threads;
+  options.min_separation = given.min_separation;
+  options.is_cancelled = cancelling(given.is_cancelled, given.user);
+  return options;
+}
+
 }  // namespace
 
 Isa isa_of(const char* name) { return name ? isa_from_name(name) : Isa::best; }
@@ -35,33 +46,21 @@ std::function<bool()> cancelling(int (*ask)(void* user), void* user) {
 }
 
 Options options_of(const tamis_options& given, Index vertex_count) {
-  Options options;
-  options.isa = isa_of(given.isa);
-  options.threads = given.threads;
-  options.min_separation = given.min_separation;
+  auto options = shared_options<Options>(given);
   options.filter = filter_of(given, vertex_count);
   if (given.radii) options.radii.assign(given.radii, given.radii + options.filter.group_count);
-  options.is_cancelled = cancelling(given.is_cancelled, given.user);
   return options;
 }
 
 PairOptions options_of(const tamis_pair_options& given) {
-  PairOptions options;
-  options.min_separation = given.min_separation;
-  options.threads = given.threads;
-  options.isa = isa_of(given.isa);
+  auto options = shared_options<PairOptions>(given);
   if (given.latest) options.latest = *given.latest;
-  options.is_cancelled = cancelling(given.is_cancelled, given.user);
   return options;
 }
 
 Options options_of(const tamis_world_options& given) {
-  Options options;
-  options.isa = isa_of(given.isa);
-  options.threads = given.threads;
-  options.min_separation = given.min_separation;
+  auto options = shared_options<Options>(given);
   if (given.rings != 0) options.filter.rings = given.rings;
-  options.is_cancelled = cancelling(given.is_cancelled, given.user);
   return options;
 }
 

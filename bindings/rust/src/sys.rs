@@ -54,7 +54,7 @@ pub struct Contact {
     pub u: f64,
     /// vf: point = (1-u-v) f0 + u f1 + v f2; ee: u on the first edge, v on the second; ve: u on the edge.
     pub v: f64,
-    /// Unit vector: the direction in which the first feature must go, or against which the second must go, so that they * part. With a minimum separation or radii, and for vertex-edge and vertex-vertex: from the second feature's closest * point to the first's at toi_lower. Otherwise: the normal of the face, or the cross product of both edges, on the * side where the first feature is just before they touch. Special cases: Contact in tamis/contact.hpp.
+    /// Unit vector. To part the features, move the first one along it, or the second one against it. With a minimum * separation or radii, and for vertex-edge and vertex-vertex: from the second feature's closest point to the first's * at toi_lower. Otherwise: the normal of the face, or the cross product of both edges, on the side where the first * feature is just before they touch. Special cases: Contact in tamis/contact.hpp.
     pub normal: [f64; 3],
     /// In a world the first feature's body and the second's; from a detector -1.
     pub bodies: [i32; 2],
@@ -340,7 +340,7 @@ pub const TAMIS_INVALID_MESH: i32 = 2;
 pub const TAMIS_INVALID_STEP: i32 = 3;
 /// An option outside its range, or an unknown name.
 pub const TAMIS_INVALID_OPTIONS: i32 = 4;
-/// is_cancelled ended the question; the detector may be asked again.
+/// is_cancelled ended the question; the detector may be queried again.
 pub const TAMIS_CANCELLED: i32 = 5;
 /// The detector or world is still answering another question: of another thread, or of the filter's own caller.
 pub const TAMIS_BUSY: i32 = 6;

@@ -26,15 +26,6 @@ class Estimate {
             shift < 128 ? static_cast<Wide>(mantissa) << shift : 0};
   }
 
-  /// WholeNumber: of 64 or 128 bits. REQUIRES: |value| < 2^127.
-  template <class WholeNumber>
-  static Estimate of(WholeNumber value) {
-    constexpr std::int64_t kExact = std::int64_t{1} << 53;
-    const auto rounded = static_cast<double>(value);
-    const bool is_exact = -kExact <= value && value <= kExact;
-    return {rounded, is_exact ? 0 : kRounding * std::fabs(rounded), static_cast<Wide>(value)};
-  }
-
   double value() const { return value_; }
   bool has_sign() const { return is_zero() || std::fabs(value_) > error_; }
   /// Means nothing unless has_sign(), which callers may test afterwards.

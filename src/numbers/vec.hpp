@@ -41,10 +41,4 @@ inline auto cross(const Vec3<T>& a, const Vec3<T>& b) -> Vec3<decltype(a.x * b.x
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The same vector with components of type T.
-template <class T, class U>
-inline Vec3<T> as(const Vec3<U>& a) {
-  return {T(a.x), T(a.y), T(a.z)};
-}
-
 }  // namespace tamis

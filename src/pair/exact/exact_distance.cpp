@@ -30,18 +30,17 @@ Weights corner_weights(PairKind kind, std::size_t i) {
 }
 
 /// Rounds the nearest point that NearestPointSearch finds. Estimates must be sharp for that.
-template <class Length>
+template <class Number>
 class Description {
-  using Number = NumberOf<Length>;
   using Vector = Vec3<Number>;
 
  public:
-  /// `polygon`: at the time in question. `points`: the motion, which gives the direction where the gap is zero.
-  Description(PairKind kind, const Polygon<Length>& polygon, const PairPoints& points)
+  /// `polygon`: at the time in question; `points`: the motion, which gives the direction where the gap is zero.
+  Description(PairKind kind, const Polygon<Number>& polygon, const PairPoints& points)
       : kind_(kind),
         polygon_(polygon),
         points_(points),
-        nearest_(NearestPointSearch<Length>::in(polygon)),
+        nearest_(NearestPointSearch<Number>::in(polygon)),
         is_sure_(nearest_.is_sure) {}
 
   ExactDistance made() {
@@ -55,7 +54,7 @@ class Description {
  private:
   static constexpr bool kIsInteger = std::is_same_v<Number, Integer>;
 
-  Vector corner(std::size_t i) const { return as<Number>(polygon_.corner(i)); }
+  const Vector& corner(std::size_t i) const { return polygon_.corner(i); }
   /// Of corner i. Called only where the gap is zero.
   const Vector& velocity(std::size_t i) {
     if (!velocities_) velocities_ = corner_velocities<Number>(kind_, points_);
@@ -135,26 +134,20 @@ class Description {
   }
 
   PairKind kind_;
-  const Polygon<Length>& polygon_;
+  const Polygon<Number>& polygon_;
   const PairPoints& points_;
   std::optional<Polygon<Number>> velocities_;
-  NearestPoint<Length> nearest_;
+  NearestPoint<Number> nearest_;
   bool is_sure_;
 };
-
-template <class Length>
-std::optional<ExactDistance> sure_distance(PairKind kind, const Polygon<Length>& polygon, const PairPoints& points) {
-  Description<Length> description(kind, polygon, points);
-  const ExactDistance made = description.made();
-  return description.is_sure() ? std::optional(made) : std::nullopt;
-}
 
 }  // namespace
 
 std::optional<ExactDistance> estimated_distance(PairKind kind, const PairPoints& points) {
-  const auto words = start_polygon_in_words(kind, points);
-  return words ? sure_distance(kind, *words, points)
-               : sure_distance(kind, start_polygon<Estimate>(kind, points), points);
+  const auto polygon = start_polygon<Estimate>(kind, points);
+  Description<Estimate> description(kind, polygon, points);
+  const ExactDistance made = description.made();
+  return description.is_sure() ? std::optional(made) : std::nullopt;
 }
 
 ExactDistance distance_in_integers(PairKind kind, const PairPoints& points, double time) {

@@ -16,8 +16,8 @@ struct ExactDistance {
 /// REQUIRES, all: finite coordinates, `time` in [0,1].
 ExactDistance exact_distance(PairKind kind, const PairPoints& points, double time = 0);
 
-/// The two halves of exact_distance(). Words and estimates serve t=0 alone, and give nothing where a sign is not
-/// certain. Later times make long integers. Where most of their digits cancel, estimates rarely know the rest.
+/// The two halves of exact_distance(). Estimates serve t=0 alone, and give nothing where a sign is not certain.
+/// Later times make long integers. Where most of their digits cancel, estimates rarely know the rest.
 std::optional<ExactDistance> estimated_distance(PairKind kind, const PairPoints& points);
 ExactDistance distance_in_integers(PairKind kind, const PairPoints& points, double time);
 

@@ -24,13 +24,6 @@ PolygonOf<Corner> polygon_of(PairKind kind, const std::array<Corner, 4>& x, int 
   return polygon;
 }
 
-template <class Number>
-Polygon<Number> polygon_in(const Polygon<Word>& words) {
-  Polygon<Number> polygon{{}, words.corner_count, words.exponent};
-  for (std::size_t i = 0; i < words.corner_count; ++i) polygon.corners[i] = as<Number>(words.corners[i]);
-  return polygon;
-}
-
 MovingPolygon moving_polygon(PairKind kind, const PairPoints& points, const Exponents& units) {
   const auto at = [&](std::size_t i) {
     return Moving<Integer>{scaled_to_integers<Integer>(points.start[i], units),
@@ -61,13 +54,6 @@ MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points) {
   return moving_polygon(kind, points, lowest_exponents(points));
 }
 
-std::optional<Polygon<Word>> start_polygon_in_words(PairKind kind, const PairPoints& points, double separation) {
-  TAMIS_ASSERT(is_kind(kind) && is_finite(points) && std::isfinite(separation));
-  const auto words = in_words(points.start, separation);
-  if (!words) return {};
-  return polygon_of<Vec3<Word>>(kind, words->points, words->exponent);
-}
-
 template <class Number>
 Polygon<Number> start_polygon(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(is_kind(kind) && is_finite(points) && std::isfinite(separation));
@@ -82,11 +68,6 @@ template <class Number>
 Polygon<Number> corner_velocities(PairKind kind, const PairPoints& points) {
   TAMIS_ASSERT(is_kind(kind) && is_finite(points));
   const auto &start = points.start, &end = points.end;
-  if (const auto words = in_words<8>({start[0], start[1], start[2], start[3], end[0], end[1], end[2], end[3]}, 0)) {
-    const auto& x = words->points;
-    return polygon_in<Number>(
-        polygon_of<Vec3<Word>>(kind, {x[4] - x[0], x[5] - x[1], x[6] - x[2], x[7] - x[3]}, words->exponent));
-  }
   const Exponents units = common_unit(lowest_exponents(points), 0);
   const auto of = [&](std::size_t i) {
     return scaled_to_integers<Number>(end[i], units) - scaled_to_integers<Number>(start[i], units);

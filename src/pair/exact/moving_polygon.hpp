@@ -6,10 +6,9 @@
 #pragma once
 #include <array>
 #include <cstddef>
-#include <optional>
 
 #include "numbers/dyadic_cell.hpp"
-#include "numbers/word.hpp"
+#include "numbers/estimate.hpp"
 #include "pair/motion/make_motion.hpp"
 #include "pair/motion/polynomials.hpp"
 
@@ -32,8 +31,8 @@ struct PolygonOf {
 };
 using MovingPolygon = PolygonOf<Moving<Integer>>;
 /// The polygon at one time.
-template <class Length>
-using Polygon = PolygonOf<Vec3<Length>>;
+template <class Number>
+using Polygon = PolygonOf<Vec3<Number>>;
 
 /// The difference polygon times a power of two that makes its coordinates and the separation integers. REQUIRES: finite
 /// numbers, a kind there is.
@@ -42,9 +41,6 @@ MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double
 /// The same at t=0, in the unit that the start alone needs. This makes numbers shorter. REQUIRES: as above.
 template <class Number = Integer>
 Polygon<Number> start_polygon(PairKind kind, const PairPoints& points, double separation = 0);
-
-/// The same in words. Nothing where 61 bits do not hold every coordinate, which is rare. REQUIRES: as above.
-std::optional<Polygon<Word>> start_polygon_in_words(PairKind kind, const PairPoints& points, double separation = 0);
 
 /// The displacement of each corner during the step, in a unit of its own. REQUIRES: as above.
 template <class Number>

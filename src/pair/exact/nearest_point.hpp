@@ -1,5 +1,5 @@
-// The point of the difference polygon nearest to the origin, in integers. Also in words or estimates, as long as they
-// know every sign that is needed.
+// The point of the difference polygon nearest to the origin: in integers, or in estimates, as long as they know every
+// sign that is needed.
 #pragma once
 #include <array>
 #include <type_traits>
@@ -23,16 +23,8 @@ inline WideDouble wide(const Fraction<Integer>& a) {
   return WideDouble::of(a.above) / WideDouble::of(a.below);
 }
 
-/// The types of the product of two lengths, and of a product of more.
-template <class Length>
-using AreaOf = decltype(std::declval<Length>() * std::declval<Length>());
-template <class Length>
-using NumberOf = decltype(std::declval<AreaOf<Length>>() * std::declval<AreaOf<Length>>());
-
-template <class Length>
+template <class Number>
 struct NearestPoint {
-  using Number = NumberOf<Length>;
-
   struct Plane {
     Vec3<Number> normal;
     Number square;  ///< of the normal
@@ -58,21 +50,19 @@ bool has_sign(const Number& x) {
     return true;
 }
 
-/// Takes the foot of the perpendicular if it lies inside, else the nearest point on the sides that part the two. A side
-/// that holds the origin is always taken. No other side is nearer. As seen from the nearest point of a convex polygon,
-/// the foot lies along the outward normal of a side, or between the normals of two sides that meet, and so beyond one
-/// of them.
-template <class Length>
+/// Takes the foot of the perpendicular if it lies inside, else the nearest point on the sides that part the two. In any
+/// case a side that holds the origin. No other side is nearer: as seen from the nearest point of a convex polygon, the
+/// foot lies along the outward normal of a side, or between the normals of two sides that meet, and so beyond one of
+/// them.
+template <class Number>
 class NearestPointSearch {
-  using Area = AreaOf<Length>;
-  using Number = NumberOf<Length>;
-  using Vector = Vec3<Length>;
+  using Vector = Vec3<Number>;
 
  public:
-  static NearestPoint<Length> in(const Polygon<Length>& polygon) { return NearestPointSearch(polygon).find(); }
+  static NearestPoint<Number> in(const Polygon<Number>& polygon) { return NearestPointSearch(polygon).find(); }
 
   /// The normal of the polygon's plane; zero if it has none.
-  static Vec3<Area> normal(const Polygon<Length>& polygon) {
+  static Vector normal(const Polygon<Number>& polygon) {
     if (polygon.corner_count < 3) return {};
     const Vector& first = polygon.corner(0);
     return cross(polygon.corner(1) - first, polygon.corner(polygon.corner_count - 1) - first);
@@ -83,33 +73,32 @@ class NearestPointSearch {
     Fraction<Number> square, along;
   };
 
-  explicit NearestPointSearch(const Polygon<Length>& polygon) : polygon_(polygon) {}
+  explicit NearestPointSearch(const Polygon<Number>& polygon) : polygon_(polygon) {}
 
   const Vector& corner(std::size_t i) const { return polygon_.corner(i); }
 
-  template <class T>
-  int sign(const T& x) {
+  int sign(const Number& x) {
     found_.is_sure = found_.is_sure && has_sign(x);
     return x.sign();
   }
 
-  /// The nearest point of the segment from corner x to corner y. `across` is x cross y.
-  OnSide nearest_on_side(const Vector& x, const Vector& y, const Vec3<Area>& across) {
+  /// The nearest point of the segment from corner x to corner y; `across` is x cross y.
+  OnSide nearest_on_side(const Vector& x, const Vector& y, const Vector& across) {
     const Vector side = y - x;
-    const Area before = dot(x, side);
+    const Number before = dot(x, side);
     if (sign(before) >= 0) return {{dot(x, x)}, {0}};
-    const Area length2 = dot(side, side);
+    const Number length2 = dot(side, side);
     if (sign(before + length2) <= 0) return {{dot(y, y)}, {1}};  // y.side
     return {{dot(across, across), length2}, {-before, length2}};
   }
 
-  NearestPoint<Length> find() {
+  NearestPoint<Number> find() {
     auto& plane = found_.plane;
-    plane.normal = as<Number>(normal(polygon_));
+    plane.normal = normal(polygon_);
     plane.square = dot(plane.normal, plane.normal);
     bool is_first = true, is_inside = sign(plane.square) > 0;
     for (std::size_t i = 0; i < polygon_.side_count() && found_.is_sure; ++i) {
-      const Vec3<Area> across = cross(corner(i), corner(i + 1));
+      const Vector across = cross(corner(i), corner(i + 1));
       plane.within[i] = dot(plane.normal, across);
       const int side = sign(plane.within[i]);
       if (side > 0) continue;
@@ -129,8 +118,8 @@ class NearestPointSearch {
     return found_;
   }
 
-  const Polygon<Length>& polygon_;
-  NearestPoint<Length> found_;
+  const Polygon<Number>& polygon_;
+  NearestPoint<Number> found_;
 };
 
 }  // namespace tamis

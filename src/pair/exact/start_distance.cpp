@@ -26,16 +26,15 @@ Integer squared_speed(const MovingPolygon& polygon) {
 }
 
 /// Squared distance minus squared separation, in the unit of the polygon squared: above / below.
-template <class Length, class Number = NumberOf<Length>>
-Fraction<Number> squared_excess(const Polygon<Length>& polygon, const Fraction<Number>& square, double separation) {
+template <class Number>
+Fraction<Number> squared_excess(const Polygon<Number>& polygon, const Fraction<Number>& square, double separation) {
   const Number s = scaled_to_integer<Number>(separation, polygon.exponent);
   return {square.above - s * s * square.below, square.below};
 }
 
-/// Whether the origin is within the separation of the polygon. Nothing where a sign is not certain.
-template <class Length>
-std::optional<bool> is_surely_within(const Polygon<Length>& polygon, double separation) {
-  const auto nearest = NearestPointSearch<Length>::in(polygon);
+/// Is the origin within the separation of the polygon? Nothing where a sign is not certain.
+std::optional<bool> is_surely_within(const Polygon<Estimate>& polygon, double separation) {
+  const auto nearest = NearestPointSearch<Estimate>::in(polygon);
   const Estimate above = squared_excess(polygon, nearest.square, separation).above;
   if (!nearest.is_sure || !above.has_sign()) return {};
   return above.sign() <= 0;
@@ -51,9 +50,7 @@ bool is_within(const Polygon<Integer>& polygon, double separation) {
 bool starts_within(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(separation >= 0);
   if (separation == 0 && !may_start_coplanar(make_motion(kind, points))) return false;
-  const auto words = start_polygon_in_words(kind, points, separation);
-  const auto estimated = words ? is_surely_within(*words, separation)
-                               : is_surely_within(start_polygon<Estimate>(kind, points, separation), separation);
+  const auto estimated = is_surely_within(start_polygon<Estimate>(kind, points, separation), separation);
   return estimated ? *estimated : is_within(start_polygon(kind, points, separation), separation);
 }
 

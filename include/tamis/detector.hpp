@@ -49,8 +49,9 @@ class Detector {
   /// little earlier.
   /// Throws as `contacts`.
   [[nodiscard]] EarliestContact earliest(const Step& step, const QueryOptions& = {});
-  /// Tests whether the whole step is free of contacts. Ends at the first contact that it finds. Returns true if that is
-  /// proven. Throws as `contacts`.
+  /// Tests whether the whole step is free of contacts. Ends at the first contact that it finds.
+  /// Returns true if that is proven.
+  /// Throws as `contacts`.
   [[nodiscard]] bool is_free(const Step& step, const QueryOptions& = {});
 
   /// Finds all contacts of a motion on curves, with the bounds that the path promises (tamis/path.hpp). The path is cut
@@ -58,15 +59,18 @@ class Detector {
   /// their curves. This ends when each is proven free or has a bracket no wider than PathOptions::tolerance. Memory
   /// holds, of one piece at a time, all pairs that come nearer than their deviations. With AtStart::ignore a pair that
   /// may touch at t=0 counts from the first of some times on at which it is proven apart (docs/numerics/curves.md,
-  /// "Curved motion"). Returns the contacts sorted by kind, then vertices. Times are the path's. Throws InvalidPath if
-  /// the path does not fit the mesh or breaks its promises. Throws InvalidOptions unless the tolerance is in (0, 1].
-  /// With AtStart::fail throws InvalidStep if a pair may touch at t=0.
+  /// "Curved motion").
+  /// Returns the contacts sorted by kind, then vertices. Times are the path's.
+  /// Throws InvalidPath if the path does not fit the mesh or breaks its promises. Throws InvalidOptions unless the
+  /// tolerance is in (0, 1]. With AtStart::fail throws InvalidStep if a pair may touch at t=0.
   [[nodiscard]] std::span<const Contact> contacts(const Path& path, const PathOptions& = {}) &;
   /// Finds the first contact on the path.
   /// Returns a bracket of its time.
   /// Throws as `contacts` of a path.
   [[nodiscard]] EarliestContact earliest(const Path& path, const PathOptions& = {});
-  /// Tests whether the whole path is free of contacts. Returns true if that is proven. Throws as `contacts` of a path.
+  /// Tests whether the whole path is free of contacts.
+  /// Returns true if that is proven.
+  /// Throws as `contacts` of a path.
   [[nodiscard]] bool is_free(const Path& path, const PathOptions& = {});
 
   /// Finds how far the step may go while every pair keeps at least the fraction `keep` of its distance at t=0. The
@@ -78,25 +82,29 @@ class Detector {
   ///
   /// The proof is about the straight motion. Positions at a time up to `toi_lower` are rounded to doubles. Pairs that
   /// are a few units in the last place apart there may touch. Query `is_free` about the step to the rounded positions,
-  /// or use `truncate`. The positions of `truncate` are proven as they are stored. Returns a bracket of the time. With
-  /// keep = 0 only contacts count, and `toi_lower` is the same as earliest() returns. Throws InvalidOptions unless 0 <=
-  /// keep < 1, and as `contacts`.
+  /// or use `truncate`. The positions of `truncate` are proven as they are stored.
+  /// Returns a bracket of the time. With keep = 0 only contacts count, and `toi_lower` is the same as earliest()
+  /// returns.
+  /// Throws InvalidOptions unless 0 <= keep < 1, and as `contacts`.
   [[nodiscard]] SafeStep safe_step(const Step& step, double keep = 0.1, const QueryOptions& = {});
 
   /// Finds every pair of features whose distance is at most `distance` plus both radii (Options::radii). Barrier and
   /// penalty methods start from this list. The list may hold some pairs that are farther apart, by less than the error
-  /// of NearPair::distance. Returns each pair once, sorted by kind, then vertices. Throws InvalidOptions unless
-  /// `distance` is finite and >= 0, InvalidStep as every question.
+  /// of NearPair::distance.
+  /// Returns each pair once, sorted by kind, then vertices.
+  /// Throws InvalidOptions unless `distance` is finite and >= 0, InvalidStep as every question.
   [[nodiscard]] std::span<const NearPair> pairs_within(const Positions& positions, double distance) &;
 
   /// Finds every edge that passes through a triangle or touches it and shares no vertex with it. A pose without
   /// intersections is a pose to start from. Decided exactly. Radii do not count. Of the filter, groups (an edge has the
   /// group of its first vertex) and rings count; `accepts` does not. A mesh without faces has no intersections. For
   /// curves in the plane that cross each other use `contacts({x, x})`, which lists every pair that touches at x.
-  /// Returns the intersections sorted by edge, then face. Throws InvalidStep as every question.
+  /// Returns the intersections sorted by edge, then face.
+  /// Throws InvalidStep as every question.
   [[nodiscard]] std::span<const Intersection> intersections(const Positions& positions) &;
   /// Tests whether there is any intersection. Ends at the first one. For curves in the plane use `is_free({x, x})`.
-  /// Returns true if there is one. Throws InvalidStep as every question.
+  /// Returns true if there is one.
+  /// Throws InvalidStep as every question.
   [[nodiscard]] bool has_intersection(const Positions& positions);
 
   /// Finds positions to go to, as doubles. Every pair keeps `keep` of its distance, and one near pair does not stop the
@@ -110,9 +118,10 @@ class Detector {
   /// (AtStart) may move freely, but not apart and back.
   ///
   /// A caller who keeps floats sets `stored`. Then all positions are float values. Storing them as floats changes
-  /// nothing, and the proof holds for the stored positions. Returns a position and a fraction for each vertex. Throws
-  /// InvalidOptions unless 0 < keep < 1. With floats it throws InvalidStep unless `start` consists of values of floats
-  /// and `end` is within their range. Also throws as `contacts`.
+  /// nothing, and the proof holds for the stored positions.
+  /// Returns a position and a fraction for each vertex.
+  /// Throws InvalidOptions unless 0 < keep < 1. With floats it throws InvalidStep unless `start` consists of values of
+  /// floats and `end` is within their range. Also throws as `contacts`.
   [[nodiscard]] TruncatedStep truncate(const Step& step, double keep = 0.1, const QueryOptions& = {},
                                        StoredType stored = StoredType::float64);
 

@@ -15,6 +15,7 @@
 
 namespace tamis {
 
+/// A matrix of any numbers: rows(), cols() and an element (row, column).
 template <class M>
 concept AnyMatrix = requires(const M& m, std::ptrdiff_t i) {
   { m.rows() } -> std::convertible_to<std::ptrdiff_t>;
@@ -29,6 +30,8 @@ concept IndexMatrix = AnyMatrix<M> && requires(const M& m, std::ptrdiff_t i) {
 
 namespace from_matrix {
 
+/// Requires a number of columns of a matrix; `what` names its rows in the message.
+/// Throws Error if the matrix has another number.
 template <class Error, AnyMatrix M>
 void require_columns(const M& matrix, std::ptrdiff_t columns, const char* what) {
   if (matrix.cols() != columns)
@@ -37,7 +40,9 @@ void require_columns(const M& matrix, std::ptrdiff_t columns, const char* what) 
                 " for each (of a matrix with a column for each its transpose())");
 }
 
-/// One row a feature. An index that does not fit into Index becomes -1, which Mesh refuses, naming the feature.
+/// Copies a matrix of one row a feature.
+/// Returns the features. An index that does not fit into Index becomes -1, which Mesh refuses, naming the feature.
+/// Throws InvalidMesh if the matrix has another number of columns than a feature has vertices.
 template <class Feature, IndexMatrix M>
 std::vector<Feature> rows_of(const M& matrix, const char* what) {
   std::vector<Feature> rows(static_cast<std::size_t>(matrix.rows()));
@@ -50,7 +55,8 @@ std::vector<Feature> rows_of(const M& matrix, const char* what) {
   return rows;
 }
 
-/// `stride`: number of indices from one feature's first to the next feature's first.
+/// Copies `count` features. `stride`: number of indices from one feature's first to the next feature's first.
+/// Returns the features.
 template <class Feature>
 std::vector<Feature> rows_of(const Index* indices, std::size_t count, std::ptrdiff_t stride) {
   std::vector<Feature> rows(count);
@@ -62,22 +68,26 @@ std::vector<Feature> rows_of(const Index* indices, std::size_t count, std::ptrdi
 
 }  // namespace from_matrix
 
-/// The faces of a mesh from n x 3 indices. Throws InvalidMesh if the matrix has another number of columns; Mesh checks
-/// the indices.
+/// Copies the faces of a mesh from n x 3 indices. Mesh checks the indices.
+/// Returns one face a row.
+/// Throws InvalidMesh if the matrix has another number of columns.
 template <IndexMatrix M>
 std::vector<Face> faces_of(const M& matrix) {
   return from_matrix::rows_of<Face>(matrix, "faces");
 }
-/// The loose edges of a mesh from n x 2 indices; otherwise the same.
+/// Copies the loose edges of a mesh from n x 2 indices; otherwise the same.
 template <IndexMatrix M>
 std::vector<Edge> edges_of(const M& matrix) {
   return from_matrix::rows_of<Edge>(matrix, "edges");
 }
 
-/// `count` triples (for edges pairs) of indices; `stride`: number of indices from one's first to the next one's first.
+/// Copies `count` triples of indices. `stride`: number of indices from one's first to the next one's first.
+/// Returns the faces.
 inline std::vector<Face> faces_of(const Index* indices, std::size_t count, std::ptrdiff_t stride = 3) {
   return from_matrix::rows_of<Face>(indices, count, stride);
 }
+/// Copies `count` pairs of indices; otherwise the same.
+/// Returns the edges.
 inline std::vector<Edge> edges_of(const Index* indices, std::size_t count, std::ptrdiff_t stride = 2) {
   return from_matrix::rows_of<Edge>(indices, count, stride);
 }
@@ -96,6 +106,7 @@ std::vector<Point> points_of(const M& matrix) {
   return points;
 }
 /// Copies a range of points, such as Eigen::Vector3f or std::array<float, 3>.
+/// Returns the points.
 template <ContiguousRange R>
 std::vector<Point> points_of(const R& points) {
   std::vector<Point> copies;

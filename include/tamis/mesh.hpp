@@ -16,9 +16,9 @@ using Edge = std::array<Index, 2>;  ///< vertex indices, ascending
 /// names one vertex three times counts as a loose point, too.
 class Mesh {
  public:
-  /// Takes the topology. `vertex_count`: number of rows of the positions of every step, >= 0. Throws InvalidMesh if an
-  /// index lies outside [0, vertex_count), if the mesh has no feature at all, or if three times the faces plus the
-  /// loose edges are more than 2^31 - 1.
+  /// Takes the topology. `vertex_count`: number of rows of the positions of every step, >= 0.
+  /// Throws InvalidMesh if an index lies outside [0, vertex_count), if the mesh has no feature at all, or if three
+  /// times the faces plus the loose edges are more than 2^31 - 1.
   Mesh(Index vertex_count, std::vector<Face> faces, const std::vector<Edge>& loose_edges = {},
        std::vector<Index> loose_points = {});
 
@@ -54,7 +54,7 @@ class Mesh {
   [[nodiscard]] Index find_face(const Face& face) const;
 
  private:
-  /// Row i of compressed rows: `items[firsts[i] .. firsts[i+1])`.
+  /// Returns row i of compressed rows: `items[firsts[i] .. firsts[i+1])`.
   static std::span<const Index> row_of(const std::vector<Index>& items, const std::vector<Index>& firsts, Index i) {
     const auto row = static_cast<std::size_t>(i), first = static_cast<std::size_t>(firsts[row]);
     return std::span(items).subspan(first, static_cast<std::size_t>(firsts[row + 1]) - first);

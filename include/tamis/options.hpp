@@ -52,10 +52,12 @@ struct PairFilter {
   /// that would be in the answer.
   int rings = 1;
   /// Skips pairs within one group (no self-contact). `group_of_vertex`: as above. Memory grows with the square of the
-  /// number of groups. Returns such a filter. Throws InvalidOptions if a group is 2^31 - 1.
+  /// number of groups.
+  /// Returns such a filter.
+  /// Throws InvalidOptions if a group is 2^31 - 1.
   [[nodiscard]] static PairFilter no_self_contact(std::vector<Index> group_of_vertex);
-  /// Skips pairs of two static groups, and pairs within a static group. `is_static`: one flag a group. Returns such a
-  /// filter.
+  /// Skips pairs of two static groups, and pairs within a static group. `is_static`: one flag a group.
+  /// Returns such a filter.
   [[nodiscard]] static PairFilter no_static_pairs(std::vector<Index> group_of_vertex,
                                                   const std::vector<bool>& is_static);
 };

@@ -37,8 +37,9 @@ struct PairOptions {
 };
 
 /// Decides a vertex p against a face a b c, each point moving on a straight line. The arrays hold p a b c. May be
-/// called from several threads. Returns whether and when they touch. Throws InvalidStep on NaN or infinity,
-/// InvalidOptions on an option outside its range.
+/// called from several threads.
+/// Returns whether and when they touch.
+/// Throws InvalidStep on NaN or infinity, InvalidOptions on an option outside its range.
 [[nodiscard]] PairResult vertex_face(const std::array<Point, 4>& start, const std::array<Point, 4>& end,
                                      const PairOptions& = {});
 /// Decides edge (0,1) against edge (2,3); otherwise the same.

@@ -27,32 +27,36 @@ class Path {
  public:
   virtual ~Path() = default;
 
+  /// Returns the number of vertices.
   virtual Index vertex_count() const = 0;
 
-  /// Writes where the vertices are at `time` in [0,1], one point and one error for each. No coordinate is off by more
-  /// than the error, >= 0, in the unit of the positions.
+  /// Computes where the vertices are at `time` in [0,1].
+  /// Writes one point and one error for each. No coordinate is off by more than the error, >= 0, in the unit of the
+  /// positions.
   virtual void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                          std::span<double> errors) const = 0;
 
-  /// The same, as precisely as the path can, for pairs that points_at leaves undecided. By default the positions of
-  /// points_at.
+  /// Computes the same as precisely as the path can, for pairs that points_at leaves undecided.
+  /// Writes one fine point for each; by default the positions of points_at.
   virtual void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const;
 
-  /// Writes for each vertex a bound, >= 0, of its deviation. The deviation is its Euclidean distance, at any time t of
-  /// [from, to], from ((to - t) x(from) + (t - from) x(to)) / (to - from). The latter point goes along the chord at
-  /// constant speed. The bound must go to zero as the piece gets shorter, for smooth curves with the square of its
-  /// length: |x''| (to - from)^2 / 8.
+  /// Bounds the deviation of each vertex. The deviation is its Euclidean distance, at any time t of [from, to], from
+  /// ((to - t) x(from) + (t - from) x(to)) / (to - from). The latter point goes along the chord at constant speed.
+  /// Writes a bound, >= 0, for each. The bound must go to zero as the piece gets shorter, for smooth curves with the
+  /// square of its length: |x''| (to - from)^2 / 8.
   virtual void deviations(double from, double to, std::span<const Index> vertices,
                           std::span<double> deviations) const = 0;
 
-  /// Writes for each vertex a direction d, of any length, along which it moves at constant speed although its curve
-  /// bends. So d.x(t) is linear in t, exactly, for d as stored. So deviations are orthogonal to d. Zeros where none is
-  /// known; by default all are zeros. A body that turns about a fixed axis has such a direction, its axis. Bodies that
-  /// slide past each other on planes orthogonal to d are proven apart by it.
+  /// Finds for each vertex a direction d, of any length, along which it moves at constant speed although its curve
+  /// bends. So d.x(t) is linear in t, exactly, for d as stored. So deviations are orthogonal to d. A body that turns
+  /// about a fixed axis has such a direction, its axis. Bodies that slide past each other on planes orthogonal to d are
+  /// proven apart by it.
+  /// Writes the directions. Zeros where none is known; by default all are zeros.
   virtual void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const;
 
-  /// The motion of a pair's vertices in a frame that one rigid motion carries, if the path knows such a motion. Two
-  /// bodies that a third one holds have the motion of the third. Pairs are decided in that frame. By default none.
+  /// Finds the motion of a pair's vertices in a frame that one rigid motion carries. Two bodies that a third one holds
+  /// have the motion of the third. Pairs are decided in that frame.
+  /// Returns the motion in the frame, or none if the path knows no such frame. By default none.
   virtual std::optional<CarriedPath> carried(std::span<const Index> vertices) const;
 };
 
@@ -69,8 +73,8 @@ struct CarriedPath {
 /// than the tolerance. A pair that double-double arithmetic cannot decide (a touch without crossing, a crossing exactly
 /// on an edge) is an unresolved contact. With a separation a pair is unresolved if doubles cannot decide it
 /// (docs/numerics/curves.md, "Curved motion").
-/// Throws InvalidPath if the path breaks its promises or has no such vertex. Throws InvalidOptions on an option
-/// outside its range.
+/// Throws InvalidPath if the path breaks its promises or has no such vertex. Throws InvalidOptions on an option outside
+/// its range.
 [[nodiscard]] PairResult vertex_face(const Path& path, const std::array<Index, 4>& vertices, const PairOptions& = {});
 /// Decides edge (0,1) against edge (2,3); otherwise the same.
 [[nodiscard]] PairResult edge_edge(const Path& path, const std::array<Index, 4>& vertices, const PairOptions& = {});

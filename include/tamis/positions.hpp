@@ -48,10 +48,12 @@ template <class V>
 concept CountsThree = std::extent_v<V>
 == 3 || requires { requires std::tuple_size<V>::value == 3; }
 || requires { requires int(V::SizeAtCompileTime) == 3; };
+/// Three doubles that have an index: v[0], v[1], v[2].
 template <class V>
 concept IndexedDoubles = CountsThree<V> && requires(const V& v) {
   { v[0] } -> std::same_as<const double&>;
 };
+/// Doubles x, y and z, in this order in memory.
 template <class V>
 concept DoublesXyz = std::is_standard_layout_v<V> && requires(const V& v) {
   { (v.x) } -> std::same_as<const double&>;
@@ -70,8 +72,10 @@ template <class R>
 concept ContiguousRange = !MatrixLike<R> && requires(const R& r) {
   std::span(r);
 };
+/// The type of a range's elements.
 template <ContiguousRange R>
 using ElementOf = typename decltype(std::span(std::declval<const R&>()))::value_type;
+/// A contiguous range of points of three doubles.
 template <class R>
 concept PointRange = ContiguousRange<R> && ThreeDoubles<ElementOf<R>>;
 /// A range that is not a view.
@@ -82,18 +86,20 @@ concept OwningRange = PointRange<R> && !std::ranges::enable_borrowed_range<R> &&
 class Positions {
  public:
   Positions() = default;
-  /// `stride`: distance in doubles from one vertex to the next, >= 3.
+  /// Views `count` vertices. `stride`: distance in doubles from one vertex to the next, >= 3.
   Positions(const double* data, Index count, std::ptrdiff_t stride = 3) : data_(data), count_(count), stride_(stride) {}
-  /// One vertex an element.
+  /// Views a range: one vertex an element.
   template <PointRange R>
   Positions(const R& points)
       : Positions(reinterpret_cast<const double*>(std::span(points).data()), index_count(std::span(points).size())) {}
-  /// Unless the matrix has three columns next to each other, the view has no data. Then every question refuses it.
+  /// Views a matrix of one vertex a row. Unless it has three columns next to each other, the view has no data. Then
+  /// every question refuses it.
   template <RowMajorMatrix M>
   Positions(const M& matrix)
       : Positions(matrix.cols() == 3 && matrix.innerStride() == 1 ? matrix.data() : nullptr,
                   index_count(static_cast<std::size_t>(matrix.rows())),
                   static_cast<std::ptrdiff_t>(matrix.outerStride())) {}
+  /// Views a matrix of one vertex a column. Unless the numbers of a column are next to each other, it has no data.
   template <ThreeRowMatrix M>
   Positions(const M& matrix)
       : Positions(matrix.innerStride() == 1 ? matrix.data() : nullptr,
@@ -118,13 +124,17 @@ class Positions {
   Positions(const R&) = delete;  // Floats? tamis::points_of(x). Flat doubles, x y z x y z? Positions(data, vertices).
   // clang-format on
 
+  /// Returns the three coordinates of a vertex.
   const double* operator[](Index vertex) const { return data_ + vertex * stride_; }
+  /// Returns the first coordinate of the first vertex.
   const double* data() const { return data_; }
+  /// Returns the number of vertices; -1 if it does not fit into Index.
   Index count() const { return count_; }
+  /// Returns the distance in doubles from one vertex to the next.
   std::ptrdiff_t stride() const { return stride_; }
 
  private:
-  /// The count, or -1 if it does not fit into Index. No mesh has -1 vertices, so every question refuses it.
+  /// Returns the count, or -1 if it does not fit into Index. No mesh has -1 vertices, so every question refuses it.
   static constexpr Index index_count(std::size_t count) {
     return count <= static_cast<std::size_t>(std::numeric_limits<Index>::max()) ? static_cast<Index>(count) : -1;
   }

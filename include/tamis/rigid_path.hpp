@@ -39,7 +39,8 @@ using RigidChain = std::vector<RigidLink>;
 /// Makes a chain that turns from `start` at constant speed about the fixed axis of `turn`, by |turn| radians. Meanwhile
 /// one point of the body, `center` in its frame, goes straight to `end_position`. Engines take the center of mass. Any
 /// angle: 2 pi is a full turn. With a center other than the origin, places are off by some 1e-15 of the center's
-/// distance from the body's origin, and of the body's distance from the world's origin. Returns a chain of two links.
+/// distance from the body's origin, and of the body's distance from the world's origin.
+/// Returns a chain of two links.
 [[nodiscard]] RigidChain turned_chain(const Pose& start, const Point& turn, const Point& end_position,
                                       const Point& center = {0, 0, 0});
 /// Makes a chain from one pose to the other by the shorter turn about a fixed axis, at constant speed (slerp).
@@ -65,26 +66,29 @@ using RigidChain = std::vector<RigidLink>;
 /// (docs/numerics/curves.md, "Curved motion").
 class RigidPath final : public Path {
  public:
-  /// `rest`: each vertex in its body's own frame. `body_of_vertex`: one a vertex, in [0, chains.size()). `rest_end`:
-  /// where each vertex is in its body's frame at t=1; empty if all stay.
-  /// Throws InvalidPath on sizes that do not fit
-  /// and on numbers that are not finite.
+  /// Takes bodies and their chains. `rest`: each vertex in its body's own frame. `body_of_vertex`: one a vertex, in [0,
+  /// chains.size()). `rest_end`: where each vertex is in its body's frame at t=1; empty if all stay.
+  /// Throws InvalidPath on sizes that do not fit and on numbers that are not finite.
   RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<RigidChain> chains,
             std::vector<Point> rest_end = {});
   /// Copies share one motion. Moving copies: the source keeps it.
   RigidPath(const RigidPath&) = default;
   RigidPath& operator=(const RigidPath&) = default;
 
+  /// Returns the number of vertices.
   Index vertex_count() const override;
+  /// Write as Path: positions, the same more precisely, and deviations.
   void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                  std::span<double> errors) const override;
   void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const override;
   void deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const override;
-  /// The axis of a vertex' body, or zeros. There is an axis if the rotation vectors of its chain, from the outermost
+  /// Finds the axis of each vertex' body. There is an axis if the rotation vectors of its chain, from the outermost
   /// link to the last one that changes, are exactly parallel.
+  /// Writes the axes, or zeros.
   void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const override;
-  /// The frame of the last link that the vertices' bodies share. Links are shared as long as their numbers are equal,
-  /// from the outermost one on. Also returned if no vertex moves.
+  /// Finds the frame of the last link that the vertices' bodies share. Links are shared as long as their numbers are
+  /// equal, from the outermost one on.
+  /// Returns the vertices' motion in it, also if no vertex moves.
   std::optional<CarriedPath> carried(std::span<const Index> vertices) const override;
 
  private:

@@ -11,7 +11,9 @@ namespace tamis {
 /// alone. [0,1] has pieces of equal length. On each piece |x''| has a bound.
 class SplinePath : public Path {
  public:
+  /// Returns the number of vertices.
   Index vertex_count() const override;
+  /// Write as Path: positions, the same more precisely, and deviations.
   void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                  std::span<double> errors) const override;
   void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const override;
@@ -20,15 +22,17 @@ class SplinePath : public Path {
  protected:
   struct Weights;
 
-  /// `frames[i][v]`: point i of vertex v. Throws InvalidPath on fewer than `least` frames, frames of different sizes,
-  /// and numbers that are not finite.
+  /// Takes the given points. `frames[i][v]`: point i of vertex v.
+  /// Throws InvalidPath on fewer than `least` frames, frames of different sizes, and numbers that are not finite.
   SplinePath(std::vector<std::vector<Point>> frames, std::size_t least);
 
+  /// Returns the given points.
   const std::vector<std::vector<Point>>& frames() const { return frames_; }
   /// Adds the next piece: for each vertex a bound of |x''| on it.
   void add_piece(std::vector<double> acceleration) { acceleration_.push_back(std::move(acceleration)); }
 
  private:
+  /// Returns the weights of the given points at `time`.
   virtual Weights weights_at(double time) const = 0;
 
   std::vector<std::vector<Point>> frames_;
@@ -38,8 +42,9 @@ class SplinePath : public Path {
 /// Each vertex on a Bezier curve: every polynomial motion can be written so.
 class BezierPath final : public SplinePath {
  public:
-  /// `control_points[i][v]`: the i-th control point of vertex v. Their number is the degree plus one, at least 1.
-  /// Throws InvalidPath.
+  /// Takes control points. `control_points[i][v]`: the i-th control point of vertex v. Their number is the degree plus
+  /// one, at least 1.
+  /// Throws InvalidPath as the constructor of SplinePath.
   explicit BezierPath(std::vector<std::vector<Point>> control_points);
 
  private:
@@ -50,7 +55,8 @@ class BezierPath final : public SplinePath {
 /// previous) / 2 at each frame. At the first and the last frame it is the slope of the chord (Catmull, Rom 1974).
 class CatmullRomPath final : public SplinePath {
  public:
-  /// `frames[i][v]`: where vertex v is at t = i / (frames - 1); at least 2. Throws InvalidPath.
+  /// Takes frames. `frames[i][v]`: where vertex v is at t = i / (frames - 1); at least 2 frames.
+  /// Throws InvalidPath as the constructor of SplinePath.
   explicit CatmullRomPath(std::vector<std::vector<Point>> frames);
 
  private:

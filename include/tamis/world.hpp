@@ -176,25 +176,29 @@ class World {
   /// Finds the first contact of each of many motions of some bodies, while all others move as they were told. Planners
   /// need this: they move from configuration to configuration. `motions`: for the first motion one entry for each of
   /// `bodies`, in their order, then for the second, and so on. Threads share the motions, each with a copy of the
-  /// world's bodies. Afterwards the bodies have the motions of before. Returns an answer for each motion, with the bits
-  /// that it has alone. Throws InvalidOptions if a body does not exist or is named twice, or if the number of motions
-  /// is not a multiple of the number of bodies. Throws InvalidStep as `add`, naming the motion.
+  /// world's bodies. Afterwards the bodies have the motions of before.
+  /// Returns an answer for each motion, with the bits that it has alone.
+  /// Throws InvalidOptions if a body does not exist or is named twice, or if the number of motions is not a multiple of
+  /// the number of bodies. Throws InvalidStep as `add`, naming the motion.
   [[nodiscard]] std::vector<EarliestBodyContact> earliest_many(std::span<const BodyId> bodies,
                                                                std::span<const BodyMotion> motions,
                                                                const PathOptions& = {});
-  /// Tests whether the motion of all bodies is free of contacts. Returns true if that is proven. Throws as `contacts`.
+  /// Tests whether the motion of all bodies is free of contacts.
+  /// Returns true if that is proven.
+  /// Throws as `contacts`.
   [[nodiscard]] bool is_free(const PathOptions& = {});
 
   /// Finds pairs of features within `distance` plus both radii where all bodies are at t=0, rounded to doubles. This
   /// question and the next two skip two bodies that are both Static, even where they pass through each other.
-  /// PoseOptions::include_static includes them. Set it once, before the first step. Returns the pairs sorted as
-  /// contacts.
+  /// PoseOptions::include_static includes them. Set it once, before the first step.
+  /// Returns the pairs sorted as contacts.
   /// Throws InvalidOptions unless `distance` is finite and >= 0.
   [[nodiscard]] std::vector<BodyNearPair> pairs_within(double distance, const PoseOptions& = {});
   /// Finds edges that pass through triangles at t=0.
   /// Returns them sorted by bodies, edge and face.
   [[nodiscard]] std::vector<BodyIntersection> intersections(const PoseOptions& = {});
-  /// Tests whether there is any intersection. Ends at the first one. Returns true if there is one.
+  /// Tests whether there is any intersection. Ends at the first one.
+  /// Returns true if there is one.
   [[nodiscard]] bool has_intersection(const PoseOptions& = {});
 
   /// Finds how far all bodies may go, as Detector::safe_step. If one of two bodies turns, PathOptions::tolerance

@@ -48,10 +48,11 @@ typedef struct tamis_contact {
   int32_t bodies[2]; /**< in a world the first feature's body and the second's; from a detector -1 */
 } tamis_contact;
 
-/** Writes a signed weight for each of the four vertices of a contact, a near pair or a pair's result; 0 for unused
- * entries. The first feature's vertices, weighted and summed, give its point. The second feature's give its point,
- * negative. So the sum over all is the vector from the second point to the first. TAMIS_INVALID_ARGUMENT: there is no
- * such kind, or `weights` is NULL. */
+/** Computes a signed weight for each of the four vertices of a contact, a near pair or a pair's result. The first
+ * feature's vertices, weighted and summed, give its point. The second feature's give its point, negative. So the sum
+ * over all is the vector from the second point to the first.
+ * Writes the four weights; 0 for unused entries.
+ * Returns TAMIS_INVALID_ARGUMENT if there is no such kind or `weights` is NULL. */
 TAMIS_API tamis_status tamis_weights_of(int32_t kind, double u, double v, double* weights);
 
 /** A pair of features that are near each other; see NearPair in tamis/proximity.hpp. */

@@ -34,64 +34,88 @@ typedef struct tamis_options {
                           skips pairs with a common vertex */
 } tamis_options;
 
-/** Copies the mesh. `options` NULL: the defaults. TAMIS_INVALID_OPTIONS: see Detector in tamis/detector.hpp. */
+/** Makes a detector. Copies the mesh. `options` NULL: the defaults.
+ * Writes the handle, also if the call fails (tamis/tamis.h).
+ * Returns TAMIS_INVALID_OPTIONS where the constructor of Detector throws InvalidOptions (tamis/detector.hpp). */
 TAMIS_API tamis_status tamis_detector_create(const tamis_mesh* mesh, const tamis_options* options,
                                              tamis_detector** detector);
+/** Frees the detector. NULL: does nothing. */
 TAMIS_API void tamis_detector_free(tamis_detector* detector);
-/** The message of the last call with this detector; "" after TAMIS_OK. */
+/** Returns the message of the last call with this detector; "" after TAMIS_OK. */
 TAMIS_API const char* tamis_detector_message(const tamis_detector* detector);
 
-/** All contacts of the step, sorted by kind, then vertices. Writes their number; tamis_detector_copy_contacts() copies
- * them. */
+/** Finds all contacts of the step.
+ * Writes their number. tamis_detector_copy_contacts() copies them, sorted by kind, then vertices.
+ * Returns TAMIS_INVALID_STEP and TAMIS_INVALID_OPTIONS where Detector::contacts throws (tamis/detector.hpp). */
 TAMIS_API tamis_status tamis_detector_contacts(tamis_detector* detector, const tamis_step* step, size_t* count);
-/** The first contact. The motion is free on [0, *toi_lower): proven. A certified contact happens at or before
- * *toi_upper. *count is 0, and both times are 1, if the step is free; otherwise *count is 1, and
- * tamis_detector_copy_contacts() copies the contact. */
+/** Finds the first contact.
+ * Writes a bracket of its time. The motion is free on [0, *toi_lower): proven. A certified contact happens at or before
+ * *toi_upper. If the step is free, *count is 0 and both times are 1. Otherwise *count is 1, and
+ * tamis_detector_copy_contacts() copies the contact.
+ * Returns TAMIS_INVALID_STEP and TAMIS_INVALID_OPTIONS as tamis_detector_contacts. */
 TAMIS_API tamis_status tamis_detector_earliest(tamis_detector* detector, const tamis_step* step, double* toi_lower,
                                                double* toi_upper, size_t* count);
-/** Writes 1 if the whole step is free of contacts, else 0. */
+/** Tests whether the whole step is free of contacts.
+ * Writes 1 if it is, else 0.
+ * Returns TAMIS_INVALID_STEP and TAMIS_INVALID_OPTIONS as tamis_detector_contacts. */
 TAMIS_API tamis_status tamis_detector_is_free(tamis_detector* detector, const tamis_step* step, int* is_free);
 
-/** How far the step may go while every pair keeps at least the fraction `keep` of its distance at t=0. The distance
- * that counts is what exceeds the minimum separation and both radii. 0 <= keep < 1. C has no default arguments: C++ and
- * Python take 0.1, here and for tamis_detector_truncate. Which value when: Detector in tamis/detector.hpp. */
+/** Finds how far the step may go while every pair keeps at least the fraction `keep` of its distance at t=0. The
+ * distance that counts is what exceeds the minimum separation and both radii. 0 <= keep < 1. C has no default
+ * arguments: C++ and Python take 0.1, here and for tamis_detector_truncate. Which value when: Detector in
+ * tamis/detector.hpp.
+ * Writes a bracket of the time, and the pair that ends the step.
+ * Returns TAMIS_INVALID_OPTIONS if `keep` is out of its range, otherwise as tamis_detector_contacts. */
 TAMIS_API tamis_status tamis_detector_safe_step(tamis_detector* detector, const tamis_step* step, double keep,
                                                 tamis_safe_step* answer);
 
 /** The number type of the positions that the caller keeps between steps. */
 enum { TAMIS_FLOAT64 = 0, TAMIS_FLOAT32 = 1 };
 
-/** Positions to go to, each vertex as far as it may on its own line: three doubles for each vertex of the mesh. On the
- * straight way there every pair keeps the fraction `keep` of its distance, 0 < keep < 1: proven. `fractions`: for each
- * vertex the fraction of its way that it goes, in [0, 1]; NULL: not wanted. *is_free is 0 if some pair touches at the
- * start and is not ignored; such a pair comes no nearer. `stored`: TAMIS_FLOAT64 or TAMIS_FLOAT32. With TAMIS_FLOAT32
- * all positions are float values, so storing them as floats changes nothing. Then the step's start must consist of
- * float values. See Detector::truncate in tamis/detector.hpp. */
+/** Finds positions to go to, each vertex as far as it may on its own line. On the straight way there every pair keeps
+ * the fraction `keep` of its distance, 0 < keep < 1: proven. `stored`: TAMIS_FLOAT64 or TAMIS_FLOAT32. With
+ * TAMIS_FLOAT32 all positions are float values, so storing them as floats changes nothing. Then the step's start must
+ * consist of float values. See Detector::truncate in tamis/detector.hpp.
+ * Writes three doubles for each vertex of the mesh to `positions`. Writes to `fractions` for each vertex the fraction
+ * of its way that it goes, in [0, 1]; NULL: not wanted. *is_free is 0 if some pair touches at the start and is not
+ * ignored; such a pair comes no nearer.
+ * Returns TAMIS_INVALID_OPTIONS if `keep` is out of its range. Returns TAMIS_INVALID_ARGUMENT if `stored` is neither of
+ * the two. With TAMIS_FLOAT32 returns TAMIS_INVALID_STEP if the start does not consist of float values, or if the end
+ * is beyond their range. Otherwise as tamis_detector_contacts. */
 TAMIS_API tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step* step, double keep,
                                                int32_t stored, double* positions, double* fractions, int* is_free);
 
-/** Every pair of features whose distance at the step's start is at most `distance` plus both radii. Writes their
- * number. The step's end is not read. */
+/** Finds every pair of features whose distance at the step's start is at most `distance` plus both radii. The step's
+ * end is not read.
+ * Writes their number. tamis_detector_copy_pairs_within() copies them.
+ * Returns TAMIS_INVALID_STEP and TAMIS_INVALID_OPTIONS where Detector::pairs_within throws (tamis/detector.hpp). */
 TAMIS_API tamis_status tamis_detector_pairs_within(tamis_detector* detector, const tamis_step* step, double distance,
                                                    size_t* count);
-/** Every edge that passes through a triangle or touches it at the step's start, and shares no vertex with it. Decided
- * exactly. Writes their number. The step's end is not read. */
+/** Finds every edge that passes through a triangle or touches it at the step's start, and shares no vertex with it.
+ * Decided exactly. The step's end is not read.
+ * Writes their number. tamis_detector_copy_intersections() copies them.
+ * Returns TAMIS_INVALID_STEP where Detector::intersections throws (tamis/detector.hpp). */
 TAMIS_API tamis_status tamis_detector_intersections(tamis_detector* detector, const tamis_step* step, size_t* count);
-/** Writes 1 if there is any intersection, else 0. Ends at the first one. */
+/** Tests whether there is any intersection. Ends at the first one.
+ * Writes 1 if there is one, else 0.
+ * Returns TAMIS_INVALID_STEP as tamis_detector_intersections. */
 TAMIS_API tamis_status tamis_detector_has_intersection(tamis_detector* detector, const tamis_step* step,
                                                        int* has_intersection);
-/** As tamis_detector_copy_contacts, for the last question about near pairs or about intersections. */
+/** Copies near pairs of the last question about them, as tamis_detector_copy_contacts copies contacts. */
 TAMIS_API tamis_status tamis_detector_copy_pairs_within(tamis_detector* detector, size_t first, size_t count,
                                                         tamis_near_pair* pairs, size_t pair_size);
+/** Copies intersections of the last question about them, as tamis_detector_copy_contacts copies contacts. */
 TAMIS_API tamis_status tamis_detector_copy_intersections(tamis_detector* detector, size_t first, size_t count,
                                                          tamis_intersection* intersections, size_t intersection_size);
 
-/** Copies contacts [first, first + count) of the last question about a step or a path into an array whose elements are
- * `contact_size` = sizeof(tamis_contact) bytes. Only questions for contacts or for the earliest one leave contacts to
- * copy. */
+/** Copies contacts [first, first + count) of the last question about a step or a path. Only questions for contacts or
+ * for the earliest one leave contacts to copy.
+ * Writes them into an array whose elements are `contact_size` = sizeof(tamis_contact) bytes.
+ * Returns TAMIS_INVALID_ARGUMENT if the last question left fewer contacts. */
 TAMIS_API tamis_status tamis_detector_copy_contacts(tamis_detector* detector, size_t first, size_t count,
                                                     tamis_contact* contacts, size_t contact_size);
 
+/** Writes the cost of the last question. */
 TAMIS_API tamis_status tamis_detector_statistics(tamis_detector* detector, tamis_statistics* statistics);
 
 #ifdef __cplusplus

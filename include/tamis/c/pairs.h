@@ -23,23 +23,28 @@ typedef struct tamis_pair_options {
   void* user; /**< passed to is_cancelled */
 } tamis_pair_options;
 
-/** `options` NULL: the defaults. */
+/** Makes a handle for questions about pairs. `options` NULL: the defaults.
+ * Writes the handle, also if the call fails (tamis/tamis.h).
+ * Returns TAMIS_INVALID_OPTIONS if an option is out of its range. */
 TAMIS_API tamis_status tamis_pairs_create(const tamis_pair_options* options, tamis_pairs** pairs);
+/** Frees the handle. NULL: does nothing. */
 TAMIS_API void tamis_pairs_free(tamis_pairs* pairs);
-/** The message of the last call with these pairs; "" after TAMIS_OK. */
+/** Returns the message of the last call with these pairs; "" after TAMIS_OK. */
 TAMIS_API const char* tamis_pairs_message(const tamis_pairs* pairs);
-/** `count` pairs of a vertex p and a face a b c, each point moving on a straight line: a pair is 12 doubles, p a b c,
- * in `start` (t=0) and again in `end` (t=1). Writes `count` results of `result_size` = sizeof(tamis_pair_result) bytes;
- * after a failure the results have no meaning. */
+/** Decides `count` pairs of a vertex p and a face a b c, each point moving on a straight line. A pair is 12 doubles, p
+ * a b c, in `start` (t=0) and again in `end` (t=1).
+ * Writes `count` results of `result_size` = sizeof(tamis_pair_result) bytes. After a failure the results have no
+ * meaning.
+ * Returns TAMIS_INVALID_STEP if a coordinate is not finite. */
 TAMIS_API tamis_status tamis_vertex_face(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                                          tamis_pair_result* results, size_t result_size);
-/** Edge (0,1) against edge (2,3); otherwise the same. */
+/** Decides edge (0,1) against edge (2,3); otherwise the same. */
 TAMIS_API tamis_status tamis_edge_edge(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                                        tamis_pair_result* results, size_t result_size);
-/** Points against segments: a pair is 9 doubles, p a b; otherwise the same. */
+/** Decides points against segments: a pair is 9 doubles, p a b; otherwise the same. */
 TAMIS_API tamis_status tamis_vertex_edge(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                                          tamis_pair_result* results, size_t result_size);
-/** Two points: a pair is 6 doubles; otherwise the same. */
+/** Decides two points: a pair is 6 doubles; otherwise the same. */
 TAMIS_API tamis_status tamis_vertex_vertex(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                                            tamis_pair_result* results, size_t result_size);
 
@@ -49,17 +54,24 @@ typedef struct tamis_feature_pair {
   int32_t vertices[4]; /**< rows of the step: p a b c, a0 a1 b0 b1, p a b, or p q; unused entries are not read */
 } tamis_feature_pair;
 
-/** The narrow phase of a list; otherwise the same. The positions may have any number of rows. The step's
- * min_separation, unless it is NULL, replaces that of `pairs`. */
+/** Decides the pairs of a list: the narrow phase. The positions may have any number of rows. The step's min_separation,
+ * unless it is NULL, replaces that of `pairs`.
+ * Writes `count` results, as tamis_vertex_face.
+ * Returns TAMIS_INVALID_STEP and TAMIS_INVALID_OPTIONS where narrow_phase throws (tamis/pair.hpp). */
 TAMIS_API tamis_status tamis_narrow_phase(tamis_pairs* pairs, const tamis_feature_pair* list, size_t count,
                                           const tamis_step* step, tamis_pair_result* results, size_t result_size);
 
-/** The distance of each pair of a list at the step's start, as tamis_detector_pairs_within returns it: no separation is
- * subtracted. Writes `count` answers of `answer_size` = sizeof(tamis_near_pair) bytes. The step's end is not read. */
+/** Computes the distance of each pair of a list at the step's start, as tamis_detector_pairs_within returns it: no
+ * separation is subtracted. The step's end is not read.
+ * Writes `count` answers of `answer_size` = sizeof(tamis_near_pair) bytes.
+ * Returns TAMIS_INVALID_STEP as tamis_narrow_phase. */
 TAMIS_API tamis_status tamis_distances_of(tamis_pairs* pairs, const tamis_feature_pair* list, size_t count,
                                           const tamis_step* step, tamis_near_pair* answers, size_t answer_size);
-/** As tamis_detector_safe_step, for one pair; 0.1 is a usual fraction. It searches up to the latest time of interest; a
- * pair that keeps its fraction until then has `toi_lower` = that time. */
+/** Finds how far one pair may go, as tamis_detector_safe_step; 0.1 is a usual fraction. It searches up to the latest
+ * time of interest.
+ * Writes a bracket of the time. A pair that keeps its fraction until the latest time of interest has `toi_lower` = that
+ * time.
+ * Returns TAMIS_INVALID_OPTIONS unless 0 <= keep < 1, TAMIS_INVALID_STEP as tamis_narrow_phase. */
 TAMIS_API tamis_status tamis_pair_safe_step(tamis_pairs* pairs, const tamis_feature_pair* pair, const tamis_step* step,
                                             double keep, tamis_safe_step* answer);
 

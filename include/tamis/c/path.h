@@ -24,25 +24,39 @@ typedef struct tamis_rigid_link {
   tamis_pose end;   /**< at t=1 */
 } tamis_rigid_link;
 
-/** Writes the two links of a body's motion: from `start` the body turns at constant speed about the fixed axis of
- * `turn`, by |turn| radians, while one point of it, `center` in its frame, goes straight to `end_position`: engines
- * take the center of mass. `center` NULL: the origin of the body's frame. This call and the next five have no handle
- * that keeps a message. */
+/** Makes the chain of a body that turns from `start` at constant speed about the fixed axis of `turn`, by |turn|
+ * radians. Meanwhile one point of it, `center` in its frame, goes straight to `end_position`. Engines take the center
+ * of mass. `center` NULL: the origin of the body's frame.
+ * Writes the two links of the chain.
+ * Returns TAMIS_INVALID_PATH on numbers that are not finite. This call and the next five have no handle that keeps a
+ * message. */
 TAMIS_API tamis_status tamis_turned_chain(const tamis_pose* start, const double* turn, const double* end_position,
                                           const double* center, tamis_rigid_link* links);
-/** The same from one pose to the other, by the shorter turn about a fixed axis, at constant speed (slerp). */
+/** Makes the chain from one pose to the other by the shorter turn about a fixed axis, at constant speed (slerp);
+ * otherwise the same. */
 TAMIS_API tamis_status tamis_chain_between(const tamis_pose* start, const tamis_pose* end, const double* center,
                                            tamis_rigid_link* links);
-/** Writes the pose of a chain's body at a time in [0,1], for example after a step that is safe until then. */
+/** Computes the pose of a chain's body at a time in [0,1], for example after a step that is safe until then.
+ * Writes the pose.
+ * Returns TAMIS_INVALID_PATH on numbers that are not finite, and on a time outside [0,1]. */
 TAMIS_API tamis_status tamis_pose_at(const tamis_rigid_link* links, size_t count, double time, tamis_pose* pose);
-/** For engines that blend quaternions and normalize them (nlerp): they go the way of tamis_chain_between at another
- * speed. No point is ever farther from its place by tamis_chain_between than *part times its distance from the center.
- * A motion that is free by tamis_chain_between, with this deviation as additional separation, is free by nlerp. */
+/** Bounds the deviation of engines that blend quaternions and normalize them (nlerp). They go the way of
+ * tamis_chain_between at another speed. A motion that is free by tamis_chain_between, with this deviation as
+ * additional separation, is free by nlerp.
+ * Writes a factor. No point is ever farther from its place by tamis_chain_between than *part times its distance from
+ * the center.
+ * Returns TAMIS_INVALID_PATH on numbers that are not finite. */
 TAMIS_API tamis_status tamis_nlerp_deviation(const tamis_pose* start, const tamis_pose* end, double* part);
-/** The pose of a quaternion (w x y z), or of a rotation matrix given by its rows (9 doubles), as engines keep them,
- * also in floats. Both are rotations with rounding errors: the nearest rotation is taken. TAMIS_INVALID_PATH if they
- * are off by more than rounding: an entry of R R^T - I, or |q|^2 - 1, beyond 1e-4; a reflection. */
+/** Converts a quaternion (w x y z), as engines keep it, also in floats. It is a rotation with rounding errors: the
+ * nearest rotation is taken.
+ * Writes the pose.
+ * Returns TAMIS_INVALID_PATH if the quaternion is off by more than rounding: |q|^2 - 1 beyond 1e-4. Returns it also on
+ * numbers that are not finite. */
 TAMIS_API tamis_status tamis_pose_of_quaternion(const double* quaternion, const double* position, tamis_pose* pose);
+/** Converts a rotation matrix, given by its rows (9 doubles); otherwise the same.
+ * Writes the pose.
+ * Returns TAMIS_INVALID_PATH if the matrix is off by more than rounding: an entry of R R^T - I beyond 1e-4; a
+ * reflection. Returns it also on numbers that are not finite. */
 TAMIS_API tamis_status tamis_pose_of_matrix(const double* rows, const double* position, tamis_pose* pose);
 
 /** Bodies that each move on a chain of links. */
@@ -82,18 +96,25 @@ typedef struct tamis_path_functions {
   void* user; /**< passed to both */
 } tamis_path_functions;
 
-/** TAMIS_INVALID_PATH on sizes that do not fit and on numbers that are not finite. */
+/** Makes a path of bodies that each move on a chain of links.
+ * Writes the handle, also if the call fails (tamis/tamis.h).
+ * Returns TAMIS_INVALID_PATH on sizes that do not fit and on numbers that are not finite. */
 TAMIS_API tamis_status tamis_rigid_path_create(const tamis_rigid_path_input* input, tamis_path** path);
-/** Each vertex moves on a Bezier curve of degree frame_count - 1. */
+/** Makes a path whose vertices move on Bezier curves of degree frame_count - 1; otherwise the same. */
 TAMIS_API tamis_status tamis_bezier_path_create(const tamis_spline_path_input* input, tamis_path** path);
-/** Each vertex moves through at least two frames at equal distances of time, smoothly. */
+/** Makes a path whose vertices move through at least two frames at equal distances of time, smoothly; otherwise the
+ * same. */
 TAMIS_API tamis_status tamis_catmull_rom_path_create(const tamis_spline_path_input* input, tamis_path** path);
+/** Makes a path that calls the caller's functions; otherwise the same. */
 TAMIS_API tamis_status tamis_function_path_create(const tamis_path_functions* functions, tamis_path** path);
+/** Frees the path. NULL: does nothing. */
 TAMIS_API void tamis_path_free(tamis_path* path);
-/** The message of the last call with this path; "" after TAMIS_OK. A detector that uses the path keeps its own
+/** Returns the message of the last call with this path; "" after TAMIS_OK. A detector that uses the path keeps its own
  * message. */
 TAMIS_API const char* tamis_path_message(const tamis_path* path);
-/** Writes where the vertices are at a time in [0,1], rounded to doubles: vertex_count x 3. */
+/** Computes where the vertices are at a time in [0,1], rounded to doubles.
+ * Writes vertex_count x 3 doubles.
+ * Returns TAMIS_INVALID_ARGUMENT on a time outside [0,1]. */
 TAMIS_API tamis_status tamis_path_points_at(tamis_path* path, double time, double* points);
 
 /** Options of one question about a path, or about a world, whose bodies may turn. A field that is zero has its default.
@@ -109,24 +130,38 @@ typedef struct tamis_path_options {
   int32_t at_start; /**< of a detector's or world's questions: TAMIS_REPORT, TAMIS_IGNORE or TAMIS_FAIL */
 } tamis_path_options;
 
-/** As the questions about a step. `options` NULL: the defaults. TAMIS_INVALID_PATH if the path does not fit the mesh or
- * breaks its promises. A contact that cannot be decided, such as a touch without crossing, is unresolved. */
+/** Finds all contacts of a motion on curves, as tamis_detector_contacts. `options` NULL: the defaults. A contact that
+ * cannot be decided, such as a touch without crossing, is unresolved.
+ * Writes their number. tamis_detector_copy_contacts() copies them.
+ * Returns TAMIS_INVALID_PATH if the path does not fit the mesh or breaks its promises. Returns TAMIS_INVALID_STEP and
+ * TAMIS_INVALID_OPTIONS where Detector::contacts throws (tamis/detector.hpp). */
 TAMIS_API tamis_status tamis_detector_contacts_on_path(tamis_detector* detector, const tamis_path* path,
                                                        const tamis_path_options* options, size_t* count);
+/** Finds the first contact on the path.
+ * Writes a bracket of its time, as tamis_detector_earliest.
+ * Returns the statuses of tamis_detector_contacts_on_path. */
 TAMIS_API tamis_status tamis_detector_earliest_on_path(tamis_detector* detector, const tamis_path* path,
                                                        const tamis_path_options* options, double* toi_lower,
                                                        double* toi_upper, size_t* count);
+/** Tests whether the whole path is free of contacts.
+ * Writes 1 if it is, else 0.
+ * Returns the statuses of tamis_detector_contacts_on_path. */
 TAMIS_API tamis_status tamis_detector_is_free_on_path(tamis_detector* detector, const tamis_path* path,
                                                       const tamis_path_options* options, int* is_free);
 
-/** A list of pairs on a path, each of 4, 4, 3 or 2 vertices: `vertices` has `count` rows of their numbers in the path.
- * Writes `count` results of `result_size` = sizeof(tamis_pair_result) bytes. */
+/** Decides a list of pairs on a path. `vertices` has `count` rows of their numbers in the path: four for a vertex and a
+ * face.
+ * Writes `count` results of `result_size` = sizeof(tamis_pair_result) bytes.
+ * Returns TAMIS_INVALID_PATH and TAMIS_INVALID_OPTIONS where vertex_face throws (tamis/path.hpp). */
 TAMIS_API tamis_status tamis_path_vertex_face(tamis_path* path, const tamis_path_options* options, size_t count,
                                               const int32_t* vertices, tamis_pair_result* results, size_t result_size);
+/** Decides pairs of two edges, each of four vertices; otherwise the same. */
 TAMIS_API tamis_status tamis_path_edge_edge(tamis_path* path, const tamis_path_options* options, size_t count,
                                             const int32_t* vertices, tamis_pair_result* results, size_t result_size);
+/** Decides pairs of a vertex and an edge, each of three vertices; otherwise the same. */
 TAMIS_API tamis_status tamis_path_vertex_edge(tamis_path* path, const tamis_path_options* options, size_t count,
                                               const int32_t* vertices, tamis_pair_result* results, size_t result_size);
+/** Decides pairs of two vertices; otherwise the same. */
 TAMIS_API tamis_status tamis_path_vertex_vertex(tamis_path* path, const tamis_path_options* options, size_t count,
                                                 const int32_t* vertices, tamis_pair_result* results,
                                                 size_t result_size);

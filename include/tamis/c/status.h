@@ -28,7 +28,7 @@ typedef enum tamis_status {
   TAMIS_INVALID_PATH = 9 /**< a path that does not fit the mesh, or breaks its promises */
 } tamis_status;
 
-/** The version of the library, such as "0.1.0". Never free it, nor any other string that is returned. */
+/** Returns the version of the library, such as "0.1.0". Never free it, nor any other string that is returned. */
 TAMIS_API const char* tamis_version(void);
 
 #ifdef __cplusplus

@@ -19,13 +19,16 @@ typedef struct tamis_shape_options {
   const char* isa; /**< the instruction set that builds the hierarchy, as in tamis_options; NULL: "best" */
 } tamis_shape_options;
 
-/** `points`: three coordinates for each vertex of the mesh. Copies mesh and points. `options` NULL: the defaults.
- * TAMIS_INVALID_MESH if a point of a feature is not finite. TAMIS_INVALID_OPTIONS if there is no such instruction set,
- * or this machine lacks it. */
+/** Makes a shape. `points`: three coordinates for each vertex of the mesh. Copies mesh and points. `options` NULL: the
+ * defaults.
+ * Writes the handle, also if the call fails (tamis/tamis.h).
+ * Returns TAMIS_INVALID_MESH if a point of a feature is not finite. Returns TAMIS_INVALID_OPTIONS if there is no such
+ * instruction set, or if this machine lacks it. */
 TAMIS_API tamis_status tamis_shape_create(const tamis_mesh* mesh, const double* points,
                                           const tamis_shape_options* options, tamis_shape** shape);
+/** Frees the shape. NULL: does nothing. */
 TAMIS_API void tamis_shape_free(tamis_shape* shape);
-/** The message of making this shape; "" after TAMIS_OK. */
+/** Returns the message of making this shape; "" after TAMIS_OK. */
 TAMIS_API const char* tamis_shape_message(const tamis_shape* shape);
 
 /** Bodies, and the questions of a detector about them. During t in [0,1] each body moves as it was told last. How
@@ -43,10 +46,13 @@ typedef struct tamis_world_options {
   void* user; /**< passed to is_cancelled */
 } tamis_world_options;
 
-/** Makes a world without bodies. `options` NULL: the defaults. */
+/** Makes a world without bodies. `options` NULL: the defaults.
+ * Writes the handle, also if the call fails (tamis/tamis.h).
+ * Returns TAMIS_INVALID_OPTIONS where the constructor of World throws (tamis/world.hpp). */
 TAMIS_API tamis_status tamis_world_create(const tamis_world_options* options, tamis_world** world);
+/** Frees the world. NULL: does nothing. */
 TAMIS_API void tamis_world_free(tamis_world* world);
-/** The message of the last call with this world; "" after TAMIS_OK. */
+/** Returns the message of the last call with this world; "" after TAMIS_OK. */
 TAMIS_API const char* tamis_world_message(const tamis_world* world);
 
 /** How some bodies move. Give either poses, or links, or start and end, and NULL for the others. If all are NULL, each
@@ -62,42 +68,55 @@ typedef struct tamis_motions {
   int32_t vertex_count; /**< with start and end: the vertices of each body, as many as its shape has */
 } tamis_motions;
 
-/** Adds `motions->count` bodies of one shape and writes their numbers: 0, 1, 2, ..., never given twice. If one cannot
- * be added, none is. TAMIS_INVALID_STEP if numbers are not finite, if `vertex_count` is not the shape's, if the links
- * of a body together turn by more than 4096 radians, or if a rotation vector is longer than 2^32. */
+/** Adds `motions->count` bodies of one shape. If one cannot be added, none is.
+ * Writes their numbers: 0, 1, 2, ..., never given twice.
+ * Returns TAMIS_INVALID_STEP if numbers are not finite, if `vertex_count` is not the shape's, if the links of a body
+ * together turn by more than 4096 radians, or if a rotation vector is longer than 2^32. */
 TAMIS_API tamis_status tamis_world_add(tamis_world* world, const tamis_shape* shape, const tamis_motions* motions,
                                        int32_t* bodies);
-/** Tells `motions->count` bodies, each named once, their motion from now on. If one cannot move so, none does. All
- * calls that name a body that does not exist change nothing and return TAMIS_INVALID_OPTIONS. */
+/** Tells `motions->count` bodies, each named once, their motion from now on. If one cannot move so, none does.
+ * Returns TAMIS_INVALID_STEP as tamis_world_add. All calls that name a body that does not exist change nothing and
+ * return TAMIS_INVALID_OPTIONS. */
 TAMIS_API tamis_status tamis_world_move(tamis_world* world, const int32_t* bodies, const tamis_motions* motions);
-/** Writes where a body's vertices are at a time in [0, 1] of its motion, on the curves that questions are about: at a
- * contact's time, to draw the body or to compute a response. `points`: three coordinates a vertex; `vertex_count`: as
- * many as the body's shape has. No coordinate of a vertex of a feature is off by more than *error; if that is 0 these
- * are the very points. `error` NULL: not wanted. */
+/** Computes where a body's vertices are at a time in [0, 1] of its motion, on the curves that questions are about. Call
+ * it for a contact's time, to draw the body or to compute a response. `vertex_count`: as many as the body's shape has.
+ * Writes three coordinates a vertex to `points`. No coordinate of a vertex of a feature is off by more than *error; if
+ * that is 0 these are the very points. `error` NULL: not wanted.
+ * Returns TAMIS_INVALID_OPTIONS on a time outside [0, 1]. Returns TAMIS_INVALID_ARGUMENT if `vertex_count` is another
+ * number. */
 TAMIS_API tamis_status tamis_world_points_at(tamis_world* world, int32_t body, double time, int32_t vertex_count,
                                              double* points, double* error);
-/** Removes `count` bodies, each named once; their numbers are not given again. */
+/** Removes `count` bodies, each named once. Their numbers are not given again.
+ * Returns TAMIS_INVALID_OPTIONS if a body does not exist or is named twice. */
 TAMIS_API tamis_status tamis_world_remove(tamis_world* world, const int32_t* bodies, size_t count);
-/** 0 switches `count` bodies off: they take no part in any question until 1 switches them on again. Bodies begin
- * switched on. */
+/** Switches `count` bodies off (0) or on (1). Bodies that are off take no part in any question. Bodies begin switched
+ * on.
+ * Returns TAMIS_INVALID_OPTIONS if a body does not exist. */
 TAMIS_API tamis_status tamis_world_set_enabled(tamis_world* world, const int32_t* bodies, size_t count, int is_enabled);
 /** Gives `count` bodies a radius >= 0, half of their thickness; 0 at first. Two bodies are in contact where their
- * distance is at most the minimum separation plus both radii. */
+ * distance is at most the minimum separation plus both radii.
+ * Returns TAMIS_INVALID_OPTIONS if the radius is out of its range, or if a body does not exist. */
 TAMIS_API tamis_status tamis_world_set_radius(tamis_world* world, const int32_t* bodies, size_t count, double radius);
 /** Sets whether bodies may touch. `bodies`: `count` pairs of bodies; a deforming body with itself is named twice.
  * `may_touch` 0 leaves the pairs out of every answer. At first all may touch, except a body with itself that does not
- * deform: 1 for one of these gives TAMIS_INVALID_OPTIONS, and nothing is set. */
+ * deform.
+ * Returns TAMIS_INVALID_OPTIONS on 1 for a body with itself that does not deform; nothing is set then. */
 TAMIS_API tamis_status tamis_world_set_may_touch(tamis_world* world, const int32_t* bodies, size_t count,
                                                  int may_touch);
 
-/** All contacts, sorted by kind, then bodies and vertices. Writes their number; tamis_world_copy_contacts() copies
- * them. `options` NULL: the defaults, for this and all other questions. */
+/** Finds all contacts. `options` NULL: the defaults, for this and all other questions.
+ * Writes their number. tamis_world_copy_contacts() copies them, sorted by kind, then bodies and vertices.
+ * Returns TAMIS_INVALID_STEP and TAMIS_INVALID_OPTIONS where World::contacts throws (tamis/world.hpp). */
 TAMIS_API tamis_status tamis_world_contacts(tamis_world* world, const tamis_path_options* options, size_t* count);
-/** The first contact of each pair of bodies that touches, and of each deforming body with itself: of all contacts of
- * the pair the one with the least toi_lower, and of several such the first by kind, then bodies and vertices. Sorted by
- * the smaller body, then the greater one. Writes their number; tamis_world_copy_contacts() copies them. */
+/** Finds the first contact of each pair of bodies that touches, and of each deforming body with itself. Of all contacts
+ * of the pair this is the one with the least toi_lower. Of several such it is the first by kind, then bodies and
+ * vertices.
+ * Writes their number. tamis_world_copy_contacts() copies them, sorted by the smaller body, then the greater one.
+ * Returns the statuses of tamis_world_contacts. */
 TAMIS_API tamis_status tamis_world_first_contacts(tamis_world* world, const tamis_path_options* options, size_t* count);
-/** As tamis_detector_earliest. */
+/** Finds the first contact.
+ * Writes a bracket of its time, as tamis_detector_earliest; tamis_world_copy_contacts() copies the contact.
+ * Returns the statuses of tamis_world_contacts. */
 TAMIS_API tamis_status tamis_world_earliest(tamis_world* world, const tamis_path_options* options, double* toi_lower,
                                             double* toi_upper, size_t* count);
 /** The first contact of one of many motions. */
@@ -107,38 +126,48 @@ typedef struct tamis_earliest {
   tamis_contact contact;       /**< the first contact; no meaning if has_contact is 0 */
 } tamis_earliest;
 
-/** For planners, which move from configuration to configuration: the first contact of each of many motions of
- * `body_count` bodies, each named once, while all others move as they were told. `motions->count` is `body_count` times
- * the number of motions: for the first motion one entry for each of `bodies`, in their order, then for the second, and
- * so on. Writes an answer of `answer_size` = sizeof(tamis_earliest) bytes for each motion. Threads share the motions;
- * each answer has the bits that it has alone. Afterwards the bodies have the motions of before. */
+/** Finds the first contact of each of many motions of `body_count` bodies, each named once, while all others move as
+ * they were told. Planners need this: they move from configuration to configuration. `motions->count` is `body_count`
+ * times the number of motions: for the first motion one entry for each of `bodies`, in their order, then for the
+ * second, and so on. Threads share the motions. Afterwards the bodies have the motions of before.
+ * Writes an answer of `answer_size` = sizeof(tamis_earliest) bytes for each motion, with the bits that it has alone.
+ * Returns TAMIS_INVALID_STEP and TAMIS_INVALID_OPTIONS where World::earliest_many throws (tamis/world.hpp). */
 TAMIS_API tamis_status tamis_world_earliest_many(tamis_world* world, const int32_t* bodies, size_t body_count,
                                                  const tamis_motions* motions, const tamis_path_options* options,
                                                  tamis_earliest* answers, size_t answer_size);
-/** Writes 1 if the motion of all bodies is free of contacts, else 0. */
+/** Tests whether the motion of all bodies is free of contacts.
+ * Writes 1 if it is, else 0.
+ * Returns the statuses of tamis_world_contacts. */
 TAMIS_API tamis_status tamis_world_is_free(tamis_world* world, const tamis_path_options* options, int* is_free);
-/** As tamis_detector_safe_step. If one of two bodies turns, the tolerance counts, and a pair that starts nearer to its
- * separation than doubles can tell ends the step at once. */
+/** Finds how far all bodies may go, as tamis_detector_safe_step. If one of two bodies turns, the tolerance counts, and
+ * a pair that starts nearer to its separation than doubles can tell ends the step at once.
+ * Writes a bracket of the time, and the pair that ends the step.
+ * Returns TAMIS_INVALID_OPTIONS unless 0 <= keep < 1, otherwise the statuses of tamis_world_contacts. */
 TAMIS_API tamis_status tamis_world_safe_step(tamis_world* world, double keep, const tamis_path_options* options,
                                              tamis_safe_step* answer);
-/** Pairs of features within `distance` plus both radii where all bodies are at t=0, rounded to doubles. Sorted as
- * contacts. Writes their number. `include_static` 0: this question and the next two skip two bodies that stay at a
- * pose, even where they pass through each other. Other than 0: includes these, too, as needed before the first step. */
+/** Finds pairs of features within `distance` plus both radii where all bodies are at t=0, rounded to doubles.
+ * `include_static` 0: this question and the next two skip two bodies that stay at a pose, even where they pass through
+ * each other. Other than 0: includes these, too, as needed before the first step.
+ * Writes their number. tamis_world_copy_pairs_within() copies them, sorted as contacts.
+ * Returns TAMIS_INVALID_OPTIONS unless `distance` is finite and >= 0. */
 TAMIS_API tamis_status tamis_world_pairs_within(tamis_world* world, double distance, int include_static, size_t* count);
-/** Every edge that passes through a triangle or touches it at t=0, sorted by bodies, edge and face. Writes their
- * number. */
+/** Finds every edge that passes through a triangle or touches it at t=0.
+ * Writes their number. tamis_world_copy_intersections() copies them, sorted by bodies, edge and face. */
 TAMIS_API tamis_status tamis_world_intersections(tamis_world* world, int include_static, size_t* count);
-/** Writes 1 if there is any intersection, else 0. Ends at the first one. */
+/** Tests whether there is any intersection. Ends at the first one.
+ * Writes 1 if there is one, else 0. */
 TAMIS_API tamis_status tamis_world_has_intersection(tamis_world* world, int include_static, int* has_intersection);
 
-/** As the calls tamis_detector_copy_... Vertices are numbered in the bodies' own meshes. */
+/** Copies contacts, as tamis_detector_copy_contacts. Vertices are numbered in the bodies' own meshes. */
 TAMIS_API tamis_status tamis_world_copy_contacts(tamis_world* world, size_t first, size_t count,
                                                  tamis_contact* contacts, size_t contact_size);
+/** Copies near pairs; otherwise the same. */
 TAMIS_API tamis_status tamis_world_copy_pairs_within(tamis_world* world, size_t first, size_t count,
                                                      tamis_near_pair* pairs, size_t pair_size);
+/** Copies intersections; otherwise the same. */
 TAMIS_API tamis_status tamis_world_copy_intersections(tamis_world* world, size_t first, size_t count,
                                                       tamis_intersection* intersections, size_t intersection_size);
-/** The cost of the last question: sums over the detectors that it used. memory_bytes does not count shapes. */
+/** Writes the cost of the last question: sums over the detectors that it used. memory_bytes does not count shapes. */
 TAMIS_API tamis_status tamis_world_statistics(tamis_world* world, tamis_statistics* statistics);
 
 #ifdef __cplusplus

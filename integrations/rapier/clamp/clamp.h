@@ -56,10 +56,11 @@ typedef struct tamis_clamped {
   size_t overlapping; /**< pairs of bodies that overlap at the start; they are not held back because of each other */
 } tamis_clamped;
 
-/** tamis::adapters::clamp; the excepted pairs are those that overlap at t=0. Writes for each body of `moving` its end,
- * and the number of contacts that held bodies back, which tamis_world_copy_contacts copies. TAMIS_INVALID_ARGUMENT: a
- * function or a shape is NULL. TAMIS_INVALID_OPTIONS: `gap`, `rounds` or `seconds` is out of range, or a body does not
- * exist. */
+/** Shortens the ways of the bodies, as tamis::adapters::clamp. The excepted pairs are those that overlap at t=0.
+ * Writes for each body of `moving` its end. Writes the number of contacts that held bodies back, which
+ * tamis_world_copy_contacts copies.
+ * Returns TAMIS_INVALID_ARGUMENT if a function or a shape is NULL. Returns TAMIS_INVALID_OPTIONS if `gap`, `rounds` or
+ * `seconds` is out of range, or if a body does not exist. */
 TAMIS_API tamis_status tamis_world_clamp(tamis_world* world, const tamis_wanted_step* step, tamis_body_end* ends,
                                          size_t* contact_count, tamis_clamped* clamped);
 

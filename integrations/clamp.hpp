@@ -59,10 +59,9 @@ Beginning beginning(World& world, const Bodies& bodies, const ClampOptions& opti
 /// 1. Bodies that lie on others (Carriers) lose the speed by which they would come nearer than a gap, and are moved
 ///    apart where they are nearer. So bodies come to rest whether or not the engine's solver sees their contacts.
 /// 2. Ways are shortened until no pair of bodies touches at any time. Excepted are the pairs in `overlapping`, which
-/// the
-///    engine has to part, and features that touch at t=0 already (AtStart::ignore). If a pair touches later, both
-///    bodies are held back by the same part, to about `gap` before the contact; a pair that starts nearer than that may
-///    come half as near. Then the question is asked again, as bodies that move less meet others elsewhere. Bodies far
+///    the engine has to part, and features that touch at t=0 already (AtStart::ignore). If a pair touches later, both
+///    bodies are held back by the same part, to about `gap` before the contact. A pair that starts nearer than that may
+///    come half as near. Then the query runs again, because bodies that move less meet others elsewhere. Bodies far
 ///    from any contact go all their way.
 /// 3. Two bodies that were within two gaps when the step began, so that the engine's solver could see them, and that
 ///    were held back because of each other, lose the speed with which they meet. A body that goes next to nothing of

@@ -1,6 +1,7 @@
 # Files for pkg-config. They find their folder by their own place, so that the installed files may be moved.
 # tamis_pkg_config(name library description [requires [private]]): the last two are what a static library links.
 file(RELATIVE_PATH to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" to_prefix ${to_prefix})
 function(tamis_pkg_config name library description)
   set(requires "${ARGV3}")
   set(private "${ARGV4}")

@@ -15,7 +15,7 @@ if(library STREQUAL "${work}/library")
   cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
   # Not optimised: that compiles faster, and links in the same way.
   run(${CMAKE_COMMAND} -S ${root} -B ${library} ${compile} -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS_DEBUG=-O0
-    -D CMAKE_UNITY_BUILD=ON -D BUILD_SHARED_LIBS=${shared}
+    -D BUILD_SHARED_LIBS=${shared}
     -D TAMIS_BUILD_LAB=OFF -D TAMIS_BUILD_TOOLS=OFF -D TAMIS_BUILD_TESTS=OFF)
   run(${CMAKE_COMMAND} --build ${library} --parallel ${cores})
 endif()

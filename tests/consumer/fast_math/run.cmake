@@ -4,7 +4,7 @@ function(run)
 endfunction()
 
 run(${CMAKE_COMMAND} -S ${root}/tests/consumer/fast_math -B ${work} -G ${generator} -D tamis_root=${root}
-  -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_COMPILER_LAUNCHER=${launcher} -D CMAKE_UNITY_BUILD=ON
+  -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_COMPILER_LAUNCHER=${launcher}
   -D CMAKE_BUILD_TYPE=Debug "-D CMAKE_CXX_FLAGS=-Ofast -ffast-math -fno-signed-zeros" -D CMAKE_CXX_FLAGS_DEBUG=-O1
   -D TAMIS_OPTIMIZE_KERNELS=OFF)
 run(${CMAKE_COMMAND} --build ${work})

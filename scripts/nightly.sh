@@ -23,6 +23,7 @@ for release in trixie bookworm; do
   run scripts/try_in_root.sh "$release" sh -c 'scripts/demo.sh && scripts/test.sh'
   run scripts/try_in_root.sh "$release" scripts/test.sh --all
   run scripts/try_in_root.sh "$release" scripts/check_compilers.sh
+  run scripts/try_in_root.sh "$release" scripts/build_from_source.sh
 done
 run scripts/sanitize.sh address
 run scripts/sanitize.sh thread

@@ -10,8 +10,8 @@ PAGES = {
     "README.md": ["hello.cpp", "hello.py"],
     "docs/getting-started.md": ["two_meshes.cpp", "two_meshes.py"],
     "docs/c.md": ["hello.c", "bodies.c", "from_ctypes.py"],
-    "docs/cpp.md": ["before_step_one.cpp", "at_start.cpp", "near.cpp", "response.cpp", "line_search.cpp", "simulation_loop.cpp",
-                    "objects.cpp"],
+    "docs/cpp.md": ["before_step_one.cpp", "near.cpp", "response.cpp", "line_search.cpp", "simulation_loop.cpp", "objects.cpp",
+                    "at_start.cpp"],
     "docs/plane.md": ["plane.cpp"],
     "docs/worlds.md": ["world.cpp", "bodies.cpp", "static_bodies.cpp", "robot.py"],
 }

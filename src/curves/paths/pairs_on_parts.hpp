@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "curves/paths/mesh_moment.hpp"
+#include "numbers/raw_array.hpp"
 #include "search/kernels/kernels.hpp"
 #include "search/query/pair_vertices.hpp"
 #include "tamis/path.hpp"
@@ -67,8 +68,7 @@ class PairsOnParts {
   std::vector<Index> place_;                ///< of each vertex of the mesh among the vertices of a part
   std::vector<PackedVertex> vertices_;      ///< of a half; entries behind these are leftovers of other parts
   /// Pointers, since TBB fills the memory of its elements with zeros.
-  tbb::enumerable_thread_specific<std::unique_ptr<Scratch>> scratch_{
-      [] { return std::make_unique_for_overwrite<Scratch>(); }};
+  tbb::enumerable_thread_specific<std::unique_ptr<Scratch>> scratch_{[] { return make_raw<Scratch>(); }};
 };
 
 }  // namespace tamis

@@ -57,7 +57,7 @@ include(CheckLinkerFlag)
 function(tamis_export_c_functions target)
   set(map ${PROJECT_SOURCE_DIR}/bindings/c/exported.map)
   set_target_properties(${target} PROPERTIES
-    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON LINK_DEPENDS ${map} DEFINE_SYMBOL TAMIS_EXPORTS_C)
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON LINK_DEPENDS ${map} DEFINE_SYMBOL tamis_c_EXPORTS)
   if(WIN32)
     return()
   endif()

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(_WIN32) && defined(TAMIS_EXPORTS_C)
+#if defined(_WIN32) && defined(tamis_c_EXPORTS) /* the library itself is being compiled */
 #define TAMIS_API __declspec(dllexport)
 #elif defined(_WIN32)
 #define TAMIS_API __declspec(dllimport)

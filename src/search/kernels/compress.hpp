@@ -20,9 +20,10 @@ inline constexpr auto kBitPositions = [] {
   return table;
 }();
 #elif XSIMD_WITH_NEON64 || XSIMD_WITH_WASM
-/// [mask]: the bytes of the lanes of its bits, lowest first. Behind them lane 0.
+/// [mask]: the bytes of the lanes of its bits, lowest first. Behind them 255, which stands for zero.
 inline constexpr auto kBytesOfLanes = [] {
   std::array<std::array<std::uint8_t, 16>, 16> table{};
+  for (auto& order : table) order.fill(255);
   for (unsigned mask = 0; mask < 16; ++mask)
     for (unsigned lane = 0, count = 0; lane < 4; ++lane)
       if (mask >> lane & 1)

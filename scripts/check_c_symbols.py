@@ -22,11 +22,16 @@ def exported_by(library: str) -> set[str]:
     return {line.split(" ", 2)[2] for line in names if " A " not in line}
 
 
+def declared_in(folder: pathlib.Path) -> set[str]:
+    """Return the functions that the headers of a folder declare."""
+    headers = "".join(path.read_text() for path in sorted(folder.glob("*.h")))
+    text = re.sub(r"/\*.*?\*/", "", headers, flags=re.DOTALL)
+    return set(re.findall(r"^TAMIS_API [^(]*\b(tamis_\w+)\(", text, re.MULTILINE))
+
+
 def main() -> int:
     library, folder = sys.argv[1:]
-    headers = "".join(path.read_text() for path in sorted(pathlib.Path(folder).glob("*.h")))
-    text = re.sub(r"/\*.*?\*/", "", headers, flags=re.DOTALL)
-    declared = set(re.findall(r"^TAMIS_API [^(]*\b(tamis_\w+)\(", text, re.MULTILINE))
+    declared = declared_in(pathlib.Path(folder))
     version = re.search(r"tamis_c(?:\.so\.|-)(\d+\.\d+)", pathlib.Path(library).resolve().name)
     if not version or not declared:
         print(f"{library} has no version in its name, or {folder} declares nothing")

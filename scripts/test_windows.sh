@@ -30,6 +30,14 @@ set(PACKAGE_VERSION_COMPATIBLE TRUE)
 END
 }
 
+# by_cmake SOURCE NAME OPTION...: builds and installs a library.
+by_cmake() {
+  cmake -S "$1" -B "$packages/from_source/$2" -G Ninja --toolchain "$PWD/cmake/windows.cmake" \
+    -D TAMIS_WINDOWS_PACKAGES="$packages" -D CMAKE_BUILD_TYPE=Release "${@:3}"
+  cmake --build "$packages/from_source/$2"
+  cmake --install "$packages/from_source/$2" --prefix "$packages"
+}
+
 gather() {
   rm -rf "$packages"
   header_only xsimd xsimd libxsimd-dev xsimd
@@ -37,24 +45,64 @@ gather() {
   header_only CLI11 CLI11::CLI11 libcli11-dev CLI
   header_only nlohmann_json nlohmann_json::nlohmann_json nlohmann-json3-dev nlohmann
   header_only fmt fmt::fmt libfmt-dev fmt FMT_HEADER_ONLY
-  cmake -S /usr/src/googletest -B "$packages/googletest" -G Ninja --toolchain "$PWD/cmake/windows.cmake" \
-    -D TAMIS_WINDOWS_PACKAGES="$packages" -D CMAKE_BUILD_TYPE=Release -D BUILD_GMOCK=OFF
-  cmake --build "$packages/googletest"
-  cmake --install "$packages/googletest" --prefix "$packages"
+  header_only Eigen3 Eigen3::Eigen libeigen3-dev eigen3/Eigen
+  by_cmake /usr/src/googletest googletest -D BUILD_GMOCK=OFF
+  # No package of Debian has these for Windows.
+  scripts/debian_source.sh meshoptimizer "$packages/sources/meshoptimizer"
+  by_cmake "$packages/sources/meshoptimizer" meshoptimizer
+  scripts/debian_source.sh gmp "$packages/sources/gmp"
+  (cd "$packages/sources/gmp"
+   ./configure --host=x86_64-w64-mingw32 --prefix="$packages" --enable-cxx --disable-shared \
+     CC=x86_64-w64-mingw32-gcc-posix CXX=x86_64-w64-mingw32-g++-posix CC_FOR_BUILD=gcc
+   make -j"$(nproc)" install) >"$packages/gmp.log" 2>&1
   wine wineboot --init
   touch "$packages/complete"
+}
+
+fail() { echo "test_windows.sh: $*" >&2; exit 1; }
+
+# The kernels: g++ does not align the stack for wide registers on Windows (src/search/kernels/CMakeLists.txt).
+check_moves() {
+  local moves
+  moves=$(find build/windows/src/search/kernels -name '*.obj' -exec x86_64-w64-mingw32-objdump -d --no-show-raw-insn {} + |
+    grep -E '\svmov(ap[sd]|dqa[0-9]*)\s.*[(].*%[yz]mm|\svmov(ap[sd]|dqa[0-9]*)\s.*%[yz]mm.*[(]' || true)
+  [[ -z $moves ]] || fail "moves that need an aligned stack: $(head -3 <<<"$moves")"
+}
+
+check_dll() {
+  local bin=build/windows/bin other
+  local needs=$(objdump -p "$bin/$dll" | sed -n 's/.*DLL Name: //p' | grep -viE '^(kernel32|msvcrt|advapi32)\.dll$')
+  [[ -z $needs ]] || fail "$dll needs $needs"
+  python3 scripts/check_c_symbols.py "$bin/$dll" include/tamis/c
+  wine "$bin/c_test.exe" || fail "c_test.exe ends with $?"
+  other=$(mktemp -d)
+  cp "$bin/c_test.exe" "$other" && cp "$bin/$dll" "$other/libtamis_c-9.9.dll"
+  if WINEDEBUG= wine "$other/c_test.exe" 2>"$other/says"; then fail "a DLL of another version is taken"; fi
+  grep -q "$dll.*not found" "$other/says" || fail "a missing DLL is not named: $(cat "$other/says")"
+  rm -rf "$other"
 }
 
 scripts/setup.sh --windows || { echo "skipped: Debian's compiler for Windows, or Wine, cannot be had"; exit 77; }
 [[ -e $packages/complete ]] || gather
 cmake --preset windows -D TAMIS_WINDOWS_PACKAGES="$packages"
 cmake --build --preset windows --target "${targets[@]}"
+dll=libtamis_c-0.1.dll
+check_moves
+check_dll
+
 cmake --preset dev
 cmake --build --preset dev --target tamis_same_bits
-
 same_bits=tools/command/tests/same_bits/tamis_same_bits
 build/dev/$same_bits >build/same_bits_here.txt
 wine build/windows/$same_bits.exe | tr -d '\r' >build/same_bits_windows.txt
 diff build/same_bits_here.txt build/same_bits_windows.txt
 cat build/same_bits_here.txt
 echo "the same on both: every bit of every contact"
+[[ ${targets[*]} == all ]] || exit 0
+
+ctest --preset windows --parallel "$(nproc)"
+# The tests of the command run here, as they call a shell, and call the Windows program.
+cmake --build --preset dev --target cli_test
+printf '#!/bin/sh\nexec wine %s "$@"\n' "$PWD/build/windows/bin/tamis.exe" >"$packages/tamis"
+chmod +x "$packages/tamis"
+TAMIS_COMMAND=$packages/tamis build/dev/tools/command/tests/cli_test --gtest_brief=1

@@ -25,7 +25,7 @@ double beyond_doubles(std::string_view word) {
   std::int64_t place = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first_digit);
   if (digits_end < word.size()) {
     const std::string_view exponent = word.substr(digits_end + 1);
-    constexpr std::int64_t kFarOff = std::numeric_limits<std::int64_t>::max() / 2;
+    constexpr auto kFarOff = std::numeric_limits<std::int32_t>::max();
     place += to_integer<std::int32_t>(exponent).value_or(exponent.starts_with('-') ? -kFarOff : kFarOff);
   }
   const double size = place > 0 ? std::numeric_limits<double>::infinity() : 0;

@@ -28,7 +28,7 @@ TEST(Text, NumbersBeyondDoublesAreZeroOrInfinite) {
 TEST(Text, SubnormalNumbersAreExact) {
   EXPECT_EQ(to_double("5e-324"), 0x1p-1074);
   EXPECT_EQ(to_double("2.4703282292062328e-324"), 0x1p-1074);
-  EXPECT_EQ(to_double("2.2250738585072011e-308"), 0x1.fffffffffffffp-1023);
+  EXPECT_EQ(to_double("2.2250738585072011e-308"), 0x0.fffffffffffffp-1022);
 }
 
 TEST(Text, WordsThatAreNoNumbersAreNone) {

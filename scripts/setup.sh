@@ -15,7 +15,7 @@ cd "$(dirname "$0")/.."
 # The release's own clang, as clang++; on Debian 12 the packages of version 14 alone do, too (scripts/clang.sh).
 clang=(clang libclang-rt-dev)
 [[ $(. /etc/os-release 2>/dev/null && echo "${VERSION_CODENAME-}") != bookworm ]] || clang=(clang-14 libclang-rt-14-dev)
-packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
+packages=(g++ cmake ninja-build pkg-config libtbb-dev libboost-dev libxsimd-dev
           libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev)
 case ${1:-} in
   --core-tests) packages+=(libgtest-dev python3 binutils git) ;;

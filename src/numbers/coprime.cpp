@@ -15,6 +15,13 @@ std::uint64_t times(std::uint64_t a, std::uint64_t b) {
   return sum >= kPrime ? sum - kPrime : sum;
 }
 
+/// 2^61 is 1 modulo kPrime. So the residue is the sum of the digits of 61 bits.
+std::uint64_t residue(const Integer& a) {
+  std::uint64_t sum = 0;
+  for (int first = 0; first < a.bits(); first += 61) sum = (sum + (a.bits_from(first) & kPrime)) % kPrime;
+  return a.sign() < 0 && sum > 0 ? kPrime - sum : sum;
+}
+
 std::uint64_t minus(std::uint64_t a, std::uint64_t b) { return a >= b ? a - b : a + kPrime - b; }
 
 struct Residues {
@@ -22,7 +29,7 @@ struct Residues {
   int degree = -1;
 
   explicit Residues(const IntegerPolynomial& p) : degree(p.degree()) {
-    for (int i = 0; i <= degree; ++i) at(i) = mpz_fdiv_ui(p[i].get(), kPrime);
+    for (int i = 0; i <= degree; ++i) at(i) = residue(p[i]);
   }
   std::uint64_t& at(int i) { return powers[static_cast<std::size_t>(i)]; }
   bool has_lost_degree() { return at(degree) == 0; }

@@ -1,16 +1,23 @@
 #!/usr/bin/env bash
-# The same bits on 64-bit Windows: cross-compiles Tamis by MinGW-w64, runs it under Wine, and compares every contact of the
-# generated scenes and of the recorded frames with this machine's. Checks that the C interface's DLL stands alone, and that
-# a program refuses one of another version. With --all it also builds the command, and runs the core tests there.
+# test_windows.sh [--all] [--here BUILD]: the same bits on 64-bit Windows. Cross-compiles Tamis by MinGW-w64, runs it under
+# Wine, and compares every contact of the generated scenes and of the recorded frames with this machine's. Checks that the
+# kernels need no aligned stack, that the C interface's DLL stands alone, and that no program takes a DLL of another version.
+#   --all         also builds the command, and runs the core tests there
+#   --here BUILD  a folder with a build for this machine; otherwise the preset dev is built
 # The libraries are gathered in build/windows-packages. Exits with 77 where the packages cannot be had.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-case $* in
-  "") targets=(tamis_same_bits tamis_c c_test) ;;
-  --all) targets=(all) ;;
-  *) echo "test_windows.sh: $*: say --all or nothing" >&2; exit 2 ;;
-esac
+targets=(tamis_same_bits tamis_c c_test)
+here=
+while (($# > 0)); do
+  case $1 in
+    --all) targets=(all) ;;
+    --here) here=${2:?--here needs a build folder}; shift ;;
+    *) echo "test_windows.sh: no option is called $1: use --all or --here BUILD" >&2; exit 2 ;;
+  esac
+  shift
+done
 packages=$PWD/build/windows-packages
 export WINEDEBUG=-all WINEPREFIX=$packages/wine
 
@@ -21,7 +28,9 @@ header_only() {
   mkdir -p "$cmake" "$packages/include"
   ln -s "/usr/include/$4" "$packages/include/"
   cat >"$cmake/$1Config.cmake" <<END
-add_library($2 INTERFACE IMPORTED)
+if(NOT TARGET $2)
+  add_library($2 INTERFACE IMPORTED)
+endif()
 set_target_properties($2 PROPERTIES INTERFACE_INCLUDE_DIRECTORIES $packages/include INTERFACE_COMPILE_DEFINITIONS "${5:-}")
 END
   cat >"$cmake/$1ConfigVersion.cmake" <<END
@@ -47,14 +56,8 @@ gather() {
   header_only fmt fmt::fmt libfmt-dev fmt FMT_HEADER_ONLY
   header_only Eigen3 Eigen3::Eigen libeigen3-dev eigen3/Eigen
   by_cmake /usr/src/googletest googletest -D BUILD_GMOCK=OFF
-  # No package of Debian has these for Windows.
   scripts/debian_source.sh meshoptimizer "$packages/sources/meshoptimizer"
   by_cmake "$packages/sources/meshoptimizer" meshoptimizer
-  scripts/debian_source.sh gmp "$packages/sources/gmp"
-  (cd "$packages/sources/gmp"
-   ./configure --host=x86_64-w64-mingw32 --prefix="$packages" --enable-cxx --disable-shared \
-     CC=x86_64-w64-mingw32-gcc-posix CXX=x86_64-w64-mingw32-g++-posix CC_FOR_BUILD=gcc
-   make -j"$(nproc)" install) >"$packages/gmp.log" 2>&1
   wine wineboot --init
   touch "$packages/complete"
 }
@@ -90,10 +93,13 @@ dll=libtamis_c-0.1.dll
 check_moves
 check_dll
 
-cmake --preset dev
-cmake --build --preset dev --target tamis_same_bits
+if [[ -z $here ]]; then
+  here=build/dev
+  cmake --preset dev
+  cmake --build "$here" --target tamis_same_bits cli_test
+fi
 same_bits=tools/command/tests/same_bits/tamis_same_bits
-build/dev/$same_bits >build/same_bits_here.txt
+"$here/$same_bits" >build/same_bits_here.txt
 wine build/windows/$same_bits.exe | tr -d '\r' >build/same_bits_windows.txt
 diff build/same_bits_here.txt build/same_bits_windows.txt
 cat build/same_bits_here.txt
@@ -102,7 +108,6 @@ echo "the same on both: every bit of every contact"
 
 ctest --preset windows --parallel "$(nproc)"
 # The tests of the command run here, as they call a shell, and call the Windows program.
-cmake --build --preset dev --target cli_test
 printf '#!/bin/sh\nexec wine %s "$@"\n' "$PWD/build/windows/bin/tamis.exe" >"$packages/tamis"
 chmod +x "$packages/tamis"
-TAMIS_COMMAND=$packages/tamis build/dev/tools/command/tests/cli_test --gtest_brief=1
+TAMIS_COMMAND=$packages/tamis "$here"/tools/command/tests/cli_test --gtest_brief=1

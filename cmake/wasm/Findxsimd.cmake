@@ -1,0 +1,11 @@
+# xsimd's headers, without the target of its package, whose include folder is the machine's.
+if(EXISTS ${TAMIS_WASM_HEADERS}/xsimd/xsimd.hpp)
+  file(STRINGS ${TAMIS_WASM_HEADERS}/xsimd/config/xsimd_config.hpp lines REGEX "define XSIMD_VERSION_M")
+  string(REGEX REPLACE "[^0-9]+([0-9]+)[^0-9]+([0-9]+).*" "\\1.\\2" xsimd_VERSION "${lines}")
+endif()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(xsimd REQUIRED_VARS xsimd_VERSION VERSION_VAR xsimd_VERSION)
+if(xsimd_FOUND AND NOT TARGET xsimd)
+  add_library(xsimd INTERFACE IMPORTED GLOBAL)
+  target_include_directories(xsimd INTERFACE ${TAMIS_WASM_HEADERS})
+endif()

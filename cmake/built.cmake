@@ -1,5 +1,4 @@
 # Imports the libraries of an existing build, whose folder is TAMIS_BUILT, instead of building them.
-find_package(TBB REQUIRED)
 find_package(GMP REQUIRED)
 
 function(built_library name path)
@@ -11,7 +10,7 @@ function(built_library name path)
   target_include_directories(${name} INTERFACE ${TAMIS_INCLUDES} ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(${name} INTERFACE ${ARGN})
 endfunction()
-built_library(tamis::tamis src/libtamis.a TBB::tbb GMP::gmp)
+built_library(tamis::tamis src/libtamis.a ${TAMIS_THREADS} GMP::gmp)
 if(TAMIS_BUILD_FUZZERS)
   built_library(tamis_yardstick tests/support/yardstick/libtamis_yardstick.a tamis::tamis)
   target_include_directories(tamis_yardstick INTERFACE ${PROJECT_SOURCE_DIR}/tests)

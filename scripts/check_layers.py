@@ -25,6 +25,8 @@ OUTSIDE = {"include/tamis": [], "bindings/c": ["numbers"], "bindings/python/src"
            "benchmarks/subspace": ["scenes", "benchmarks", "paper"], "benchmarks/worlds": ["scenes", "benchmarks", "worlds"],
            # The laboratory: its methods may include all layers; its queries and its command may not.
            "paper": ["scenes", "support/yardstick", *LAYER], "paper/queries": ["files", "paper"], "paper/command": ["files", "scenes", "command", "paper"]}
+# The only files that may include oneTBB. The benchmarks say how many threads it may have, and so do tests.
+KNOWS_TBB = ("src/numbers/parallel.cpp", "benchmarks/contenders/main.cpp")
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 
@@ -66,6 +68,8 @@ def main() -> int:
             # Tests may include anything; paper/command and paper/queries have lines of their own in OUTSIDE.
             if "/tests/" in place or (name == "paper" and place.startswith(("paper/command/", "paper/queries/"))):
                 continue
+            if re.search(r"^\s*#\s*include\s+[<\"](tbb|oneapi)/", path.read_text(), re.MULTILINE) and place not in KNOWS_TBB:
+                wrong.append(f"{place}: may not include oneTBB: use numbers/parallel.hpp")
             for used in INCLUDE.findall(path.read_text()):
                 if not may_include(name, room_of(used)):
                     wrong.append(f"{place}: may not include {used}")

@@ -30,6 +30,7 @@ DECLARATIONS = re.compile(
     COMMENT
     + r"(?:typedef struct (?P<handle>\w+) \w+;"
     + r"|typedef struct (?P<struct>\w+) \{(?P<fields>.*?)\n\} \w+;"
+    + r"|typedef (?P<returned>\w+) \(\*(?P<function>\w+)\)\((?P<taken>[^)]*)\);"
     + r"|(?:typedef )?enum(?: \w+)? \{(?P<numbers>.*?)\}(?: \w+)?;"
     + r"|TAMIS_API (?P<answer>[^(;]*?)(?P<call>\w+)\((?P<parameters>[^)]*)\);)",
     re.DOTALL,
@@ -139,6 +140,9 @@ def declared(text: str) -> list[str]:
             lines += ["#[repr(C)]", f"pub struct {found['handle']} {{", "    _private: [u8; 0],", "}"]
         elif found["struct"]:
             lines += struct_lines(IN_RUST.get(found["struct"], found["struct"]), comment, found["fields"])
+        elif found["function"]:
+            kind = f'unsafe extern "C" fn{signature(found["taken"], found["returned"], named=False)}'
+            lines += [f"pub type {found['function']} = Option<{kind}>;"]
         elif found["numbers"]:
             for name, value, after in NUMBER.findall(found["numbers"]):
                 lines += [*docs(after), f"pub const {name}: i32 = {value};"]

@@ -36,6 +36,12 @@ Read shared_options(const Given& given) {
   options.threads = given.threads;
   options.min_separation = given.min_separation;
   options.is_cancelled = cancelling(given.is_cancelled, given.user);
+  if (given.parallel_for)
+    options.parallel_for = [run = given.parallel_for, user = given.user](int count,
+                                                                         const std::function<void(int)>& body) {
+      const auto call = [](void* loop, int32_t i) { (*static_cast<const std::function<void(int)>*>(loop))(i); };
+      run(user, count, call, const_cast<std::function<void(int)>*>(&body));
+    };
   return options;
 }
 

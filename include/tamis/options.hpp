@@ -30,6 +30,9 @@ enum class AtStart : std::uint8_t {
 /// Return the name of a value.
 [[nodiscard]] std::string_view name_of(Isa);
 [[nodiscard]] std::string_view name_of(AtStart);
+/// Returns true if questions have threads of their own: oneTBB's. Returns false if the library was built without
+/// oneTBB. Then a question without a parallel_for runs on the thread that asks, whatever Options::threads says.
+[[nodiscard]] bool has_threads();
 /// name_of returns this for a value outside the enumeration.
 inline constexpr std::string_view kUnnamed = "unknown";
 
@@ -62,10 +65,15 @@ struct PairFilter {
                                                   const std::vector<bool>& is_static);
 };
 
+/// A parallel loop of the caller's. It calls body(i) once for each i in [0, count), on any threads, in any order, and
+/// returns when all calls have returned. Each call ends on the thread that it began on.
+using ParallelFor = std::function<void(int count, const std::function<void(int)>& body)>;
+
 /// The options of a detector. Every member has an initializer, so {.threads = 1} compiles without a warning.
 struct Options {
   /// Threads to use, >= 0; 0: as many as the caller's oneTBB arena gives. No more than oneTBB allows the process (its
-  /// global_control; by default one a core). The answer does not depend on it; Statistics::threads is the number used.
+  /// global_control; by default one a core). Without oneTBB (has_threads()) the caller's alone. The answer does not
+  /// depend on it; Statistics::threads is the number used.
   int threads = 0;
   /// d >= 0, in the unit of the positions: contact means Euclidean distance <= d at some time.
   double min_separation = 0;
@@ -79,6 +87,9 @@ struct Options {
   /// Called again and again during a question, a thousand times a second or more. Must be safe to call from several
   /// threads. Once it returns true, the question throws Cancelled. The detector answers the next question as usual.
   std::function<bool()> is_cancelled = nullptr;
+  /// An engine's threads: questions run their loops by this function, on `threads` threads (0: one a core). Called by
+  /// the thread that asks, never from within a body, and not if `threads` is 1. Empty: oneTBB's threads.
+  ParallelFor parallel_for = nullptr;
 };
 
 /// Options of one question about a step: detector.contacts(step, {.min_separation = 1e-3}).

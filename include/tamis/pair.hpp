@@ -34,6 +34,7 @@ struct PairOptions {
   Isa isa = Isa::best;  ///< for a list; changes speed only
   /// For a list or a path, as in Options: called again and again. Once it returns true, the call throws Cancelled.
   std::function<bool()> is_cancelled = nullptr;
+  ParallelFor parallel_for = nullptr;  ///< for a list, as in Options
 };
 
 /// Decides a vertex p against a face a b c, each point moving on a straight line. The arrays hold p a b c. May be

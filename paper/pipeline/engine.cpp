@@ -3,15 +3,11 @@
 // triangles, filters and interval Newton.
 #include "paper/pipeline/engine.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_for_each.h>
-
 #include <algorithm>
 #include <tuple>
 
-#include "numbers/floating_point_state.hpp"
+#include "numbers/in_parts.hpp"
+#include "numbers/pool.hpp"
 #include "paper/pipeline/hierarchy.hpp"
 #include "paper/pipeline/patch_culling.hpp"
 #include "paper/pipeline/tester.hpp"
@@ -50,13 +46,13 @@ class PaperEngine final : public Engine {
         scene_{options, paper_, surface_.mesh(), surface_.face_count(), {}, stages_by_name(paper.filters), {}, {}},
         hierarchy_(make_paper_hierarchy(paper.bounding_volume)),
         patches_(scene_.mesh, high_level_of(paper), paper_.reduced_model.get()),
-        testers_([this] { return PaperTester(scene_); }) {}
+        testers_([this](std::size_t) { return std::make_unique<PaperTester>(scene_); }) {}
 
   void find(const Query& query, ContactCollector& answer, Statistics& statistics) override {
     scene_.answer = &answer;
     update_bounds(statistics);
     const Stopwatch watch;
-    for (PaperTester& tester : testers_) tester.begin();
+    for (const auto& tester : testers_.all()) tester->begin();
     std::visit([&](const auto& hierarchy) { visit_all(hierarchy.traversal(free_within()), query.question); },
                hierarchy_);
     collect(answer, statistics, watch.seconds());
@@ -79,8 +75,7 @@ class PaperEngine final : public Engine {
                           scene_.boxes.memory_bytes() + scene_.triangles.capacity() * sizeof(TriangleFeatures) +
                           std::visit([](const auto& h) { return h.memory_bytes(); }, hierarchy_);
     for (const auto* pairs : {&orphans_.vf, &orphans_.ee}) bytes += pairs->capacity() * sizeof((*pairs)[0]);
-    for (const PaperTester& tester : testers_) bytes += tester.memory_bytes();
-    return bytes;
+    return bytes + testers_.memory_bytes();
   }
 
  private:
@@ -133,7 +128,8 @@ class PaperEngine final : public Engine {
   template <class Traversal>
   void visit_all(const Traversal& traversal, Question question) {
     const auto run = [&](const auto& work) {
-      PaperTester& tester = testers_.local();
+      const auto taken = testers_.take();
+      PaperTester& tester = *taken;
       if (!tester.found.wants(PairKind::vertex_face) && !tester.found.wants(PairKind::edge_edge)) return;
       work(tester);
       if (question != Question::all_contacts) tester.flush();
@@ -145,26 +141,24 @@ class PaperEngine final : public Engine {
             part, [&](Index a, Index b) { tester.add_triangles(a, b); }, tester.counts.bounds_tested);
       });
     };
-    tbb::parallel_for_each(parts.begin(), parts.end(), as_task(visit));
+    for_each_in_parts(parts, 1, visit);
     const auto in_chunks = [&](const auto& pairs, auto add) {
-      const auto add_chunk = [&](const auto& range) {
+      in_parts(pairs.size(), kChunk, [&](std::size_t begin, std::size_t end) {
         run([&](PaperTester& tester) {
-          for (std::size_t i = range.begin(); i < range.end(); ++i) add(tester, pairs[i]);
+          for (std::size_t i = begin; i < end; ++i) add(tester, pairs[i]);
         });
-      };
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), kChunk), as_task(add_chunk));
+      });
     };
     in_chunks(orphans_.vf, [](PaperTester& tester, const auto& pair) { tester.add_vertex_face(pair[0], pair[1]); });
     in_chunks(orphans_.ee, [](PaperTester& tester, const auto& pair) { tester.add_edges(pair[0], pair[1]); });
-    const auto flush = [](PaperTester& tester) { tester.flush(); };
-    tbb::parallel_for_each(testers_.begin(), testers_.end(), as_task(flush));
+    for_each_in_parts(testers_.all(), 1, [](const std::unique_ptr<PaperTester>& tester) { tester->flush(); });
   }
 
   void collect(ContactCollector& answer, Statistics& statistics, double seconds) {
     PaperCounts sum(scene_.stages);
-    for (PaperTester& tester : testers_) {
-      sum.add(tester.counts);
-      answer.take(tester.found);
+    for (const auto& tester : testers_.all()) {
+      sum.add(tester->counts);
+      answer.take(tester->found);
     }
     if (answer.query().question == Question::all_contacts && !paper_.representative_triangles)
       drop_duplicates(answer.contacts());
@@ -192,8 +186,8 @@ class PaperEngine final : public Engine {
     using Key = std::tuple<PairKind, std::array<Index, 2>>;
     std::vector<std::pair<Key, Contact>> keyed;
     std::size_t i = 0;
-    for (const PaperTester& tester : testers_)
-      for (const auto& features : tester.features) {
+    for (const auto& tester : testers_.all())
+      for (const auto& features : tester->features) {
         keyed.push_back({{contacts[i].kind, features}, contacts[i]});
         ++i;
       }
@@ -218,7 +212,7 @@ class PaperEngine final : public Engine {
   FeaturePairs orphans_;
   AnyPaperHierarchy hierarchy_;
   PatchCulling patches_;
-  tbb::enumerable_thread_specific<PaperTester> testers_;
+  Pool<PaperTester> testers_;
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace tamis {
 
-/// Sorts by kind, then vertices; keeps its scratch memory from call to call. Runs in the caller's oneTBB arena. Several
+/// Sorts by kind, then vertices; keeps its scratch memory from call to call. Runs in the caller's arena. Several
 /// threads call `pause` now and then. If it throws, sorting ends and the contacts are as before.
 class ContactSorter {
  public:

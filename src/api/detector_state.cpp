@@ -44,7 +44,7 @@ Detector::State::State(Mesh m, Options o, const MakeEngine& make_engine)
     : mesh(std::move(m)),
       options(valid(std::move(o), mesh)),
       rings_(mesh, options.filter.rings),
-      arena_(options.threads),
+      arena_(options),
       radii_(radii_of(options, mesh)),
       engine_(make_engine(mesh, options)) {}
 

@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "api/arena.hpp"
 #include "api/contact_order.hpp"
 #include "api/detector_access.hpp"
 #include "numbers/busy_guard.hpp"
 #include "numbers/floating_point_state.hpp"
+#include "numbers/parallel.hpp"
 #include "search/bounds/box_frame.hpp"
 #include "search/query/engine.hpp"
 #include "search/query/stopwatch.hpp"
@@ -124,7 +124,7 @@ template <class Work>
 void Detector::State::measure_more(const Work& work) {
   const Stopwatch watch;
   arena_.run([&] {
-    statistics.threads = Arena::threads_here();
+    statistics.threads = threads_here();
     work();
   });
   statistics.memory_bytes = memory_bytes();

@@ -1,16 +1,14 @@
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <string>
 #include <vector>
 
-#include "api/arena.hpp"
 #include "api/list_part.hpp"
 #include "api/pair_faults.hpp"
 #include "api/validate.hpp"
 #include "numbers/finite.hpp"
 #include "numbers/floating_point_state.hpp"
+#include "numbers/parallel.hpp"
 #include "search/query/cancellation.hpp"
 #include "tamis/error.hpp"
 #include "tamis/pair.hpp"
@@ -61,15 +59,16 @@ bool decide_in_parts(std::span<PairResult> results, const PairOptions& options, 
   validate(options);
   const Kernels& chosen = kernels(options.isa);
   std::atomic<bool> is_legal{true};
-  Arena(options.threads).run([&] {
-    const tbb::blocked_range<std::size_t> all(0, results.size(), kPairsOfListPart);
-    const auto decide_part = [&](const tbb::blocked_range<std::size_t>& part) {
-      stop_if_cancelled(options);
-      const auto [pairs, step] = part_of(part.begin(), part.size());
-      if (!decide_part_of_list({pairs, step, chosen, options}, results.subspan(part.begin(), part.size())))
-        is_legal = false;
-    };
-    tbb::parallel_for(all, as_task(decide_part), tbb::simple_partitioner());
+  const auto decide_part = [&](std::size_t first) {
+    stop_if_cancelled(options);
+    const std::size_t count = std::min(kPairsOfListPart, results.size() - first);
+    const auto [pairs, step] = part_of(first, count);
+    if (!decide_part_of_list({pairs, step, chosen, options}, results.subspan(first, count))) is_legal = false;
+  };
+  Arena(options).run([&] {
+    parallel_for((results.size() + kPairsOfListPart - 1) / kPairsOfListPart, 1, [&](std::size_t i, std::size_t end) {
+      for (; i != end; ++i) decide_part(i * kPairsOfListPart);
+    });
   });
   return is_legal;
 }

@@ -1,8 +1,5 @@
 // A stable counting sort, in parallel.
 #pragma once
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <functional>
@@ -10,8 +7,8 @@
 #include <vector>
 
 #include "numbers/assert.hpp"
-#include "numbers/floating_point_state.hpp"
 #include "numbers/held_bytes.hpp"
+#include "numbers/parallel.hpp"
 
 namespace tamis {
 
@@ -19,13 +16,13 @@ namespace tamis {
 class CountingSort {
  public:
   /// Calls put(i, place) once for each i in [0, count). Each place in [0, count) comes once. Places ascend by
-  /// bucket_of(i), in [0, buckets), then by i. The threads of the caller's oneTBB arena call all three functions.
+  /// bucket_of(i), in [0, buckets), then by i. The threads of the arena call all three functions.
   /// `pause` is called now and then; an exception that it throws ends the sort. REQUIRES: count < 2^32.
   template <class BucketOf, class Put>
   void find_places(std::size_t count, std::size_t buckets, const BucketOf& bucket_of, const Put& put,
                    const std::function<void()>& pause) {
     TAMIS_ASSERT(count >> 32 == 0 && buckets > 0);
-    const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    const auto threads = static_cast<std::size_t>(threads_here());
     const std::size_t parts = std::clamp(count / buckets, std::size_t{1}, threads);
     const auto for_each_item = [&](const auto& f) {
       const auto place_part = [&](std::size_t part) {
@@ -40,7 +37,9 @@ class CountingSort {
           }
         }
       };
-      tbb::parallel_for(std::size_t{0}, parts, as_task(place_part));
+      parallel_for(parts, 1, [&](std::size_t part, std::size_t end) {
+        for (; part != end; ++part) place_part(part);
+      });
     };
     places_.assign(parts * buckets, 0);
     for_each_item([](std::size_t, std::uint32_t& counted) { ++counted; });

@@ -1,14 +1,12 @@
 // The state of a thread that decides how results round. Error bounds hold only if results round to nearest and
 // subnormal numbers are numbers. Engines and other callers set other states. So every public function that computes
-// begins with a ComputingState, and so does each task for another thread (in_parts.hpp). Callers' functions run in a
+// begins with a ComputingState, and so does each task for another thread (parallel.cpp). Callers' functions run in a
 // CallersState.
 //
 // Known are x86-64 (MXCSR; and the x87 word, which the C library's strtod reads) and 64-bit ARM (FPCR). On any other
 // machine nothing is read or set. A port must add its register here, or its callers must not change the state.
 #pragma once
 #include <cstdint>
-#include <type_traits>
-#include <utility>
 
 #include "numbers/plain_arithmetic.hpp"
 
@@ -124,15 +122,5 @@ class CallersState {
  private:
   const ComputesFor computes_for_;
 };
-
-/// f as the body of a parallel loop. It computes for this thread's caller, whatever thread runs it. oneTBB's threads
-/// have the state of the arena, from when that was made.
-template <class F>
-auto as_task(const F& f) {
-  return [&f, caller = callers_state()](auto&&... of) -> std::invoke_result_t<const F&, decltype(of)...> {
-    const ComputingState state = ComputingState::for_caller(caller);
-    return f(std::forward<decltype(of)>(of)...);
-  };
-}
 
 }  // namespace tamis

@@ -1,23 +1,20 @@
 // Parallel loops, if they are long enough.
 #pragma once
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
-#include <tbb/parallel_sort.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cstddef>
+#include <mutex>
 #include <span>
 
-#include "numbers/floating_point_state.hpp"
+#include "numbers/parallel.hpp"
 
 namespace tamis {
 
 /// Vertices in a part of a loop that does little with each of them. A part takes ten to twenty microseconds.
 inline constexpr std::size_t kVerticesPerPart = 1024;
 
-inline bool has_other_threads() { return tbb::this_task_arena::max_concurrency() > 1; }
+inline bool has_other_threads() { return threads_here() > 1; }
 
 /// Calls f(begin, end) for parts of 0 to `count`. A loop no longer than `grain` stays with this thread. Handing it over
 /// costs a tenth of a whole question about a mesh of a dozen triangles. Without other threads, parts are sixteen times
@@ -26,8 +23,9 @@ inline bool has_other_threads() { return tbb::this_task_arena::max_concurrency()
 template <class Count, class F>
 void in_parts(Count count, Count grain, const F& f) {
   if (count > grain && has_other_threads())
-    return tbb::parallel_for(tbb::blocked_range<Count>(0, count, static_cast<std::size_t>(grain)),
-                             as_task([&](const tbb::blocked_range<Count>& part) { f(part.begin(), part.end()); }));
+    return parallel_for(
+        static_cast<std::size_t>(count), static_cast<std::size_t>(grain),
+        [&](std::size_t begin, std::size_t end) { f(static_cast<Count>(begin), static_cast<Count>(end)); });
   const Count larger = 16 * grain;
   for (Count begin = 0; begin < count; begin += std::min(larger, count - begin))
     f(begin, begin + std::min(larger, count - begin));
@@ -42,18 +40,17 @@ void for_each_in_parts(const Items& items, std::size_t grain, const F& f) {
 }
 
 /// Joins f(begin, end) of all parts: a flag, a count, a largest or least value, a box. The result is the same however
-/// the loop is parted. `nothing`: the value of no items. join(a, b): the value of both parts.
+/// the loop is parted, and in whatever order parts are joined. `nothing`: the value of no items. join(a, b): the value
+/// of both parts.
 template <class Value, class Join, class F>
 Value joined_parts(std::size_t count, std::size_t grain, const Value& nothing, const Join& join, const F& f) {
-  if (count > grain && has_other_threads()) {
-    using Range = tbb::blocked_range<std::size_t>;
-    return tbb::parallel_reduce(Range(0, count, grain), nothing, as_task([&](const Range& part, const Value& before) {
-                                  return join(before, f(part.begin(), part.end()));
-                                }),
-                                as_task(join));
-  }
   Value value = nothing;
-  in_parts(count, grain, [&](std::size_t begin, std::size_t end) { value = join(value, f(begin, end)); });
+  std::mutex mutex;
+  in_parts(count, grain, [&](std::size_t begin, std::size_t end) {
+    const Value of_part = f(begin, end);
+    const std::lock_guard lock(mutex);
+    value = join(value, of_part);
+  });
   return value;
 }
 
@@ -78,24 +75,35 @@ bool all_in_parts(std::span<const Item> items, std::size_t grain, const F& is_so
 /// the items in no order. Keeps references.
 template <class Order, class Pause>
 auto pausing(const Order& comes_before, const Pause& pause) {
-  return [&comes_before, pause_in_task = as_task(pause)](const auto& a, const auto& b) {
+  return [&comes_before, &pause](const auto& a, const auto& b) {
     constexpr unsigned kComparisonsPerPause = 1U << 14;  // below a millisecond
     static thread_local unsigned compared = 0;
-    if (++compared % kComparisonsPerPause == 0) pause_in_task();
+    if (++compared % kComparisonsPerPause == 0) pause();
     return comes_before(a, b);
   };
 }
 
-/// Sorts by a total order. Only equal items are neither before nor after each other. REQUIRES (not checked: O(n)): an
-/// order of integers, for which the state of floating-point numbers does not matter. `pause`: as in pausing(). Without
-/// other threads, std::sort is faster than oneTBB's sort.
+/// Sorts by a total order. Only equal items are neither before nor after each other. `pause`: as in pausing().
 template <class Items, class Order, class Pause>
 void sort_in_parts(Items& items, const Order& comes_before, const Pause& pause) {
+  constexpr std::size_t kLeast = 1024;  // items of a part
   const auto order = pausing(comes_before, pause);
-  if (has_other_threads())
-    tbb::parallel_sort(items, order);
-  else
-    std::sort(items.begin(), items.end(), order);
+  const std::size_t count = items.size(), parts = std::bit_ceil(static_cast<std::size_t>(threads_here()));
+  if (parts == 1 || count < parts * kLeast) return std::sort(items.begin(), items.end(), order);
+  const auto place = [&](std::size_t part) {
+    return items.begin() + static_cast<std::ptrdiff_t>(count * std::min(part, parts) / parts);
+  };
+  const auto for_each = [&](std::size_t some, const auto& f) {
+    parallel_for(some, 1, [&](std::size_t i, std::size_t end) {
+      for (; i != end; ++i) f(i);
+    });
+  };
+  for_each(parts, [&](std::size_t i) { std::sort(place(i), place(i + 1), order); });
+  for (std::size_t width = 1; width < parts; width *= 2)
+    for_each(parts / width / 2, [&](std::size_t i) {
+      const std::size_t first = 2 * width * i;
+      std::inplace_merge(place(first), place(first + width), place(first + 2 * width), order);
+    });
 }
 
 }  // namespace tamis

@@ -1,11 +1,9 @@
 // Many motions of the same bodies in one question. Threads share the motions, each with a world of its own.
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
-#include "api/arena.hpp"
 #include "api/validate.hpp"
+#include "numbers/parallel.hpp"
+#include "numbers/pool.hpp"
 #include "tamis/error.hpp"
 #include "worlds/world_state.hpp"
 
@@ -52,17 +50,18 @@ std::vector<EarliestBodyContact> World::earliest_many(std::span<const BodyId> mo
   now.validate(moved, motions);
   const PathOptions of_each = of_curves(asked);
   std::vector<EarliestBodyContact> found(motions.empty() ? 0 : motions.size() / moved.size());
-  tbb::enumerable_thread_specific<std::unique_ptr<State>> worlds([&] { return std::make_unique<State>(now); });
-  Arena(now.options.threads).run([&] {
-    const auto ask = [&](std::size_t i) {
-      State& mine = *worlds.local();
-      for (std::size_t k = 0; k < moved.size(); ++k) mine.move(moved[k], motions[i * moved.size() + k]);
-      found[i] = mine.earliest(of_each);
-    };
-    tbb::parallel_for(std::size_t{0}, found.size(), as_task(ask));
-    now.statistics.threads = Arena::threads_here();
+  Pool<State> worlds([&](std::size_t) { return std::make_unique<State>(now); });
+  Arena(now.options).run([&] {
+    parallel_for(found.size(), 1, [&](std::size_t i, std::size_t end) {
+      const auto mine = worlds.take();
+      for (; i != end; ++i) {
+        for (std::size_t k = 0; k < moved.size(); ++k) mine->move(moved[k], motions[i * moved.size() + k]);
+        found[i] = mine->earliest(of_each);
+      }
+    });
+    now.statistics.threads = threads_here();
   });
-  for (const auto& world : worlds) now.add_statistics(world->statistics);
+  for (const auto& world : worlds.all()) now.add_statistics(world->statistics);
   for (std::size_t i = 0; i < found.size(); ++i)
     of_motion(i, [&] {
       if (found[i].contact) State::check_start(*found[i].contact, found[i].toi_lower, asked);

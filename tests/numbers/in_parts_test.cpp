@@ -1,25 +1,26 @@
 #include "numbers/in_parts.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include <cstdint>
 #include <numeric>
 #include <random>
 
 #include "numbers/counting_sort.hpp"
+#include "support/threads.hpp"
 
 namespace tamis {
 namespace {
 
-/// Runs f() with one thread, then with several.
+/// Runs f() with one thread, then with several, oneTBB's and lent ones.
 template <class F>
 void with_any_threads(const F& f) {
   for (const int threads : {1, 2, 5}) {
     SCOPED_TRACE(std::to_string(threads) + " threads");
-    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-    tbb::task_arena(threads).execute(f);
+    const test::AllowedThreads allowed(threads);
+    test::EnginePool pool(threads - 1);
+    Arena(threads, nullptr).run(f);
+    Arena(threads, pool.lend()).run(f);
   }
 }
 

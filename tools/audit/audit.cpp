@@ -1,6 +1,7 @@
 #include "audit/audit.hpp"
 
-#include <tbb/task_arena.h>
+#include <algorithm>
+#include <thread>
 
 #include "audit/asker_pool.hpp"
 #include "audit/new_pairs.hpp"
@@ -9,7 +10,9 @@
 namespace tamis::audit {
 namespace {
 
-int thread_count(int threads) { return threads > 0 ? threads : tbb::this_task_arena::max_concurrency(); }
+int thread_count(int threads) {
+  return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 void require_not_cancelled(const Options& options) {
   if (options.is_cancelled && options.is_cancelled()) throw Cancelled("the audit was cancelled");

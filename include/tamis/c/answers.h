@@ -20,6 +20,9 @@ enum { TAMIS_CERTIFIED = 0, TAMIS_UNRESOLVED = 1 };
  * TAMIS_INVALID_STEP, and the message names the first such pair. */
 enum { TAMIS_REPORT = 0, TAMIS_IGNORE = 1, TAMIS_FAIL = 2 };
 
+/** One part of a loop, which parallel_for is given: `loop` as given, 0 <= i < count. Throws nothing. */
+typedef void (*tamis_loop_body)(void* loop, int32_t i);
+
 /** Each vertex moves on a straight line from its row of `start` (t=0) to that of `end` (t=1). */
 typedef struct tamis_step {
   size_t size;

@@ -13,9 +13,9 @@ typedef struct tamis_detector tamis_detector;
 /** Options of a detector. A field that is zero has its default. */
 typedef struct tamis_options {
   size_t size;
-  const char* isa;                 /**< "best", "baseline", "avx2", "avx512"; NULL: "best". Changes speed only */
-  int32_t threads;                 /**< 0: as many as the caller's oneTBB arena gives. Changes speed only */
-  double min_separation;           /**< d >= 0: contact means Euclidean distance <= d */
+  const char* isa;       /**< "best", "baseline", "avx2", "avx512"; NULL: "best". Changes speed only */
+  int32_t threads;       /**< 0: as many as the caller's oneTBB arena gives; without oneTBB 1. Changes speed only */
+  double min_separation; /**< d >= 0: contact means Euclidean distance <= d */
   const int32_t* group_of_vertex;  /**< the group of each vertex, in [0, group_count), or -1 for a vertex that takes no
                                       part in contacts; NULL: all vertices are in group 0, group_count is 0 or 1 and
                                       groups_may_touch is NULL, too */
@@ -28,10 +28,15 @@ typedef struct tamis_options {
   /** Called again and again during a question, from several threads. Once it returns other than 0, the question ends
    * with TAMIS_CANCELLED. */
   int (*is_cancelled)(void* user);
-  void* user;          /**< passed to accepts and is_cancelled */
+  void* user;          /**< passed to all of these functions */
   const double* radii; /**< a radius >= 0 for each group, group_count of them: half of its thickness; NULL: all zero */
   int32_t rings;       /**< skips pairs whose features are fewer than `rings` edges apart along the mesh; 0: 1, which
                           skips pairs with a common vertex */
+  /** Your own threads: runs a loop of the detector, on `threads` threads (0: one a core). Must call body(loop, i) once
+   * for each i in [0, count), on any threads, in any order, and return when all calls have returned. Called by the
+   * thread that asks, never from within a body, and not if `threads` is 1. NULL: oneTBB's threads; without oneTBB
+   * (tamis_has_threads()) the thread that asks. */
+  void (*parallel_for)(void* user, int32_t count, tamis_loop_body body, void* loop);
 } tamis_options;
 
 /** Makes a detector. Copies the mesh. `options` NULL: the defaults.

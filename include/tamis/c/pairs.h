@@ -20,7 +20,9 @@ typedef struct tamis_pair_options {
   /** Called again and again during a call with a list, from several threads. Once it returns other than 0, the call
    * ends with TAMIS_CANCELLED. */
   int (*is_cancelled)(void* user);
-  void* user; /**< passed to is_cancelled */
+  void* user; /**< passed to is_cancelled and parallel_for */
+  void (*parallel_for)(void* user, int32_t count, tamis_loop_body body, void* loop); /**< for a list: as in
+                                                                                        tamis_options */
 } tamis_pair_options;
 
 /** Makes a handle for questions about pairs. `options` NULL: the defaults.

@@ -43,7 +43,8 @@ typedef struct tamis_world_options {
   int32_t rings; /**< for deforming bodies, which may touch themselves */
   double min_separation;
   int (*is_cancelled)(void* user);
-  void* user; /**< passed to is_cancelled */
+  void* user; /**< passed to is_cancelled and parallel_for */
+  void (*parallel_for)(void* user, int32_t count, tamis_loop_body body, void* loop); /**< as in tamis_options */
 } tamis_world_options;
 
 /** Makes a world without bodies. `options` NULL: the defaults.

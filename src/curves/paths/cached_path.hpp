@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "curves/paths/mesh_moment.hpp"
-#include "search/query/isolated.hpp"
+#include "numbers/parallel.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {
 
 /// For one thread. While this thread waits in the caller's functions, it takes no other part of the question
-/// (search/query/isolated.hpp). Positions are the path's own, bit for bit.
+/// (numbers/parallel.hpp). Positions are the path's own, bit for bit.
 class CachedPath final : public Path {
  public:
   /// Keeps references. `used`: the vertices to cache, ascending; others may be requested, too.

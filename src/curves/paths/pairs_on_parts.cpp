@@ -123,7 +123,8 @@ void PairsOnParts::add_half(const Part& whole, const MeshMoment& from, const Mes
 }
 
 void PairsOnParts::test(PairKind kind, std::span<const std::int32_t> pairs) {
-  Scratch& scratch = *scratch_.local();
+  const auto taken = scratch_.take();
+  Scratch& scratch = *taken;
   PairBuffer& buffer = scratch.pairs;
   buffer.count = static_cast<int>(pairs.size());
   for (int i = 0; i < buffer.count; ++i) {

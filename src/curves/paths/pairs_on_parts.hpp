@@ -2,8 +2,6 @@
 // these. Chords of shorter parts deviate less. Lanes test hundreds of pairs in the time that one decision on curves
 // takes.
 #pragma once
-#include <tbb/enumerable_thread_specific.h>
-
 #include <array>
 #include <functional>
 #include <memory>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "curves/paths/mesh_moment.hpp"
+#include "numbers/pool.hpp"
 #include "search/kernels/kernels.hpp"
 #include "search/query/pair_vertices.hpp"
 #include "tamis/path.hpp"
@@ -66,9 +65,7 @@ class PairsOnParts {
   std::vector<char> is_given_, may_touch_;  ///< of each pair of the piece
   std::vector<Index> place_;                ///< of each vertex of the mesh among the vertices of a part
   std::vector<PackedVertex> vertices_;      ///< of a half; entries behind these are leftovers of other parts
-  /// Pointers, since TBB fills the memory of its elements with zeros.
-  tbb::enumerable_thread_specific<std::unique_ptr<Scratch>> scratch_{
-      [] { return std::make_unique_for_overwrite<Scratch>(); }};
+  Pool<Scratch> scratch_{[](std::size_t) { return std::make_unique_for_overwrite<Scratch>(); }};
 };
 
 }  // namespace tamis

@@ -1,8 +1,5 @@
 #include "curves/paths/path_search.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,8 +9,8 @@
 #include "curves/paths/decide_path.hpp"
 #include "numbers/assert.hpp"
 #include "numbers/error_bounds.hpp"
-#include "numbers/floating_point_state.hpp"
 #include "numbers/in_parts.hpp"
+#include "numbers/pool.hpp"
 #include "search/query/cancellation.hpp"
 #include "search/topology/at.hpp"
 #include "search/topology/neighbourhood_maximum.hpp"
@@ -172,11 +169,12 @@ void PathSearch::decide(const TimeInterval<double>& piece, std::span<const std::
   const std::vector<Contact>& pairs = candidates_.contacts();
   const std::vector<Index> used = vertices_of(pairs, places);
   std::vector<Decided> decided(places.size());
-  tbb::enumerable_thread_specific<CachedPath> paths([&] { return CachedPath(asked_.path, used); });
+  Pool<CachedPath> paths([&](std::size_t) { return std::make_unique<CachedPath>(asked_.path, used); });
   const auto decide_one = [&](std::size_t i) {
     stop_if_cancelled(query_);
     const Contact& pair = pairs[at(places[i])];
-    const CarriedPair carried(paths.local(), pair.kind, pair.vertices);
+    const auto path = paths.take();
+    const CarriedPair carried(*path, pair.kind, pair.vertices);
     const PairRule rule = rule_of(asked_, carried, pair);
     const PathQuestion of_pair{carried.path(),  pair.kind,        carried.vertices(),
                                rule.separation, asked_.tolerance, query_.is_cancelled};
@@ -192,7 +190,9 @@ void PathSearch::decide(const TimeInterval<double>& piece, std::span<const std::
     decided[i].result = carried.in_world(result_on_path(of_pair, decision));
     decided[i].is_settled = carried.is_still();
   };
-  tbb::parallel_for(std::size_t{0}, places.size(), as_task(decide_one));
+  parallel_for(places.size(), 1, [&](std::size_t i, std::size_t end) {
+    for (; i != end; ++i) decide_one(i);
+  });
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto& [r, until, is_settled] = decided[i];
     const Contact& pair = pairs[at(places[i])];

@@ -27,7 +27,7 @@ struct MeshOnPath {
 };
 
 /// One question, asked once. Throws InvalidPath if the path has another number of vertices or breaks its promises. Runs
-/// in the caller's oneTBB arena.
+/// in the caller's arena.
 class PathSearch {
  public:
   /// Keeps references. REQUIRES (not checked: O(n)): finite radii >= 0.

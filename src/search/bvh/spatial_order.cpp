@@ -1,7 +1,5 @@
 #include "search/bvh/spatial_order.hpp"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -9,8 +7,9 @@
 #include <cstring>
 #include <limits>
 #include <utility>
+#include <vector>
 
-#include "numbers/floating_point_state.hpp"
+#include "numbers/in_parts.hpp"
 #include "search/bounds/moving_boxes.hpp"
 
 namespace tamis {
@@ -140,24 +139,43 @@ struct Halving {
   }
 
   /// Cuts between blocks of the largest level of which the range has several. Such cuts make every block of every level
-  /// of the tree.
-  void halve(std::size_t first, std::size_t end) const {
-    constexpr std::size_t kParallelFrom = 8192;
+  /// of the tree. Returns the cut.
+  std::size_t halve_once(std::size_t first, std::size_t end) const {
     const std::size_t count = end - first;
-    if (count <= kBlock) return;
+    if (count <= kBlock) return end;
     std::size_t unit = kBlock;
     while (unit * kBlock < count) unit *= kBlock;
     const std::size_t blocks = (count + unit - 1) / unit, cut = first + (blocks + 1) / 2 * unit;
     split(first, end, cut);
-    const auto below = [&] { halve(first, cut); };
-    const auto above = [&] { halve(cut, end); };
-    if (count >= kParallelFrom) {
+    return cut;
+  }
+  void halve(std::size_t first, std::size_t end) const {
+    constexpr std::size_t kCentersPerPause = 8192;
+    if (end - first <= kBlock) return;
+    if (end - first >= kCentersPerPause) pause();
+    const std::size_t cut = halve_once(first, end);
+    halve(first, cut);
+    halve(cut, end);
+  }
+  /// The same for all of `centers`. Threads share the ranges, as long as these are long.
+  void halve_all() const {
+    constexpr std::size_t kLongRange = 8192;
+    std::vector<std::size_t> cuts{0, centers.size()};
+    for (std::size_t length = centers.size(); has_other_threads() && length >= kLongRange; length /= 2) {
       pause();
-      tbb::parallel_invoke(as_task(below), as_task(above));
-    } else {
-      below();
-      above();
+      const std::size_t ranges = cuts.size() - 1;
+      std::vector<std::size_t> all(2 * ranges + 1, centers.size());
+      in_parts(ranges, std::size_t{1}, [&](std::size_t i, std::size_t end) {
+        for (; i != end; ++i) {
+          all[2 * i] = cuts[i];
+          all[2 * i + 1] = halve_once(cuts[i], cuts[i + 1]);
+        }
+      });
+      cuts = std::move(all);
     }
+    in_parts(cuts.size() - 1, std::size_t{1}, [&](std::size_t i, std::size_t end) {
+      for (; i != end; ++i) halve(cuts[i], cuts[i + 1]);
+    });
   }
 };
 
@@ -165,7 +183,7 @@ struct Halving {
 
 template <int axes>
 void order_in_space(std::span<Center<axes>> centers, const Pause& pause, std::span<const std::size_t> ends) {
-  Halving<axes>{centers, pause, ends}.halve(0, centers.size());
+  Halving<axes>{centers, pause, ends}.halve_all();
 }
 template void order_in_space(std::span<Center<3>>, const Pause&, std::span<const std::size_t>);
 template void order_in_space(std::span<Center<6>>, const Pause&, std::span<const std::size_t>);

@@ -41,7 +41,7 @@ FeatureTrees::FeatureTrees(const Mesh& mesh, const Options& options, const Kerne
 template <class F>
 void FeatureTrees::for_each_tree(const F& f) {
   const auto all = trees();
-  const std::size_t at_a_time = mesh_.points().size() > kVerticesPerPart ? 1 : all.size();
+  const std::size_t at_a_time = loops_nest() && mesh_.points().size() > kVerticesPerPart ? 1 : all.size();
   for_each_in_parts(all, at_a_time, [&](BlockTree* tree) { f(*tree); });
 }
 

@@ -3,8 +3,8 @@
 // distance). Only the rings (Query::are_neighbours) are tested after that.
 #pragma once
 #include "numbers/assert.hpp"
+#include "numbers/parallel.hpp"
 #include "search/kernels/kernels.hpp"
-#include "search/query/isolated.hpp"
 #include "search/query/pair_groups.hpp"
 #include "search/query/pair_vertices.hpp"
 #include "search/topology/at.hpp"

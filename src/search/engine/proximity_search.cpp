@@ -95,7 +95,7 @@ void ProximitySearch::describe(std::vector<NearPair>& pairs) {
     const auto& list = lists_[kind];
     constexpr std::size_t kGrain = 4096;
     in_parts(list.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      streams_.local().describe(static_cast<PairKind>(kind), std::span(list).subspan(begin, end - begin), out + begin);
+      streams_.take()->describe(static_cast<PairKind>(kind), std::span(list).subspan(begin, end - begin), out + begin);
     });
     out += list.size();
   }

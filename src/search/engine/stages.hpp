@@ -6,8 +6,8 @@
 #include <span>
 
 #include "numbers/in_parts.hpp"
+#include "numbers/parallel.hpp"
 #include "search/engine/workspace.hpp"
-#include "search/query/isolated.hpp"
 
 namespace tamis {
 

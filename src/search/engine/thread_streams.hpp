@@ -1,6 +1,7 @@
 // The streams of all threads that take part in a question.
 #pragma once
 #include "numbers/in_parts.hpp"
+#include "numbers/pool.hpp"
 #include "search/engine/pair_stream.hpp"
 #include "search/engine/samples.hpp"
 
@@ -54,19 +55,10 @@ class ThreadStreams {
 
   template <class F>
   void for_each(const F& f) const {
-    for (const std::unique_ptr<Consumer>& one : of_threads_)
-      if (one) f(*one);
+    for (const std::unique_ptr<Consumer>& one : consumers_.all()) f(*one);
   }
-  /// The calling thread's consumer.
-  Consumer& local() {
-    std::unique_ptr<Consumer>& one = of_threads_.local();
-    if (!one) {
-      auto made = std::make_unique<Consumer>(*workspace_.threads.local());
-      made->begin(*shared_);
-      one = std::move(made);
-    }
-    return *one;
-  }
+  /// A consumer that nobody else has meanwhile.
+  auto take() { return consumers_.take(); }
 
   /// Sums over all threads of this question.
   SearchCounts counts() const {
@@ -95,8 +87,8 @@ class ThreadStreams {
   /// Calls f(the thread's stream, begin, end) for parts of 0 to `count`, unless no pair of the kind is wanted any more.
   template <class F>
   void for_each_part(PairKind kind, int count, int grain, const F& f) {
-    if (!local().wants(kind)) return;
-    in_parts(count, grain, [&](int begin, int end) { f(local(), begin, end); });
+    if (!take()->wants(kind)) return;
+    in_parts(count, grain, [&](int begin, int end) { f(*take(), begin, end); });
     finish();
   }
 
@@ -105,17 +97,18 @@ class ThreadStreams {
     constexpr int kPairsWorthSharing = 512;
     int left = 0;
     for_each([&](const Consumer& one) { left += one.waiting(); });
-    const std::size_t grain = left < kPairsWorthSharing ? of_threads_.size() : 1;
-    in_parts(of_threads_.size(), grain, [&](std::size_t begin, std::size_t end) {
-      for (; begin != end; ++begin)
-        if (const auto& one = of_threads_.begin()[static_cast<std::ptrdiff_t>(begin)]) one->finish();
-    });
+    const auto all = consumers_.all();
+    for_each_in_parts(all, left < kPairsWorthSharing ? all.size() : 1,
+                      [](const std::unique_ptr<Consumer>& one) { one->finish(); });
   }
 
   Workspace& workspace_;
   Shared* shared_ = nullptr;
-  /// Null where memory did not suffice for a consumer. oneTBB keeps an element whose construction threw.
-  tbb::enumerable_thread_specific<std::unique_ptr<Consumer>> of_threads_;
+  Pool<Consumer> consumers_{[this](std::size_t i) {
+    auto made = std::make_unique<Consumer>(workspace_.thread(i));
+    made->begin(*shared_);
+    return made;
+  }};
 };
 
 }  // namespace tamis

@@ -1,8 +1,8 @@
 // Shared by all searches of an engine: the trees, and one set of buffers a thread.
 #pragma once
-#include <tbb/enumerable_thread_specific.h>
-
 #include <memory>
+#include <mutex>
+#include <vector>
 
 #include "numbers/held_bytes.hpp"
 #include "search/engine/feature_trees.hpp"
@@ -51,17 +51,22 @@ struct SearchThread {
 struct Workspace {
   /// Keeps references.
   Workspace(const Mesh& m, const Options& options)
-      : mesh(m),
-        kernels(tamis::kernels(options.isa)),
-        trees(m, options, kernels),
-        threads([this] { return std::make_unique<SearchThread>(kernels, trees.motion()); }) {}
-  std::uint64_t memory_bytes() const { return held_bytes(trees, threads); }
+      : mesh(m), kernels(tamis::kernels(options.isa)), trees(m, options, kernels) {}
+  /// The buffers of consumer number i of any search. Several threads may call this.
+  SearchThread& thread(std::size_t i) {
+    const std::lock_guard lock(mutex_);
+    while (threads_.size() <= i) threads_.push_back(std::make_unique<SearchThread>(kernels, trees.motion()));
+    return *threads_[i];
+  }
+  std::uint64_t memory_bytes() const { return held_bytes(trees, threads_); }
 
   const Mesh& mesh;
   const Kernels& kernels;
   FeatureTrees trees;
-  /// Pointers, as TBB fills the memory of each element with zeros.
-  tbb::enumerable_thread_specific<std::unique_ptr<SearchThread>> threads;
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<SearchThread>> threads_;
 };
 
 }  // namespace tamis

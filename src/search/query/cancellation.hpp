@@ -1,7 +1,7 @@
 // Cancellation is checked before each batch of pairs, and before each pair that is decided singly. Such a pair can take
 // milliseconds.
 #pragma once
-#include "search/query/isolated.hpp"
+#include "numbers/parallel.hpp"
 #include "tamis/error.hpp"
 #include "tamis/options.hpp"
 

@@ -15,7 +15,7 @@ inline bool comes_first(const Intersection& a, const Intersection& b) {
 }
 
 /// One per detector; keeps its hierarchy and its buffers from question to question. Every question adds stages, seconds
-/// (but `total`), counts and `rebuilt` to `statistics`, and runs in the caller's oneTBB arena. After an exception (from
+/// (but `total`), counts and `rebuilt` to `statistics`, and runs in the caller's Arena. After an exception (from
 /// the caller's filter, a cancellation, or lack of memory) the next question works. Neither threads nor instruction set
 /// nor earlier questions change a bit of an answer. REQUIRES: positions of the mesh's vertices. REQUIRES (not checked:
 /// O(n)): that they are validated.

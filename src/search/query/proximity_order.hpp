@@ -8,7 +8,7 @@
 
 namespace tamis {
 
-/// Sorts pairs of one kind by their vertices. Keeps its scratch memory from call to call. Runs in the caller's oneTBB
+/// Sorts pairs of one kind by their vertices. Keeps its scratch memory from call to call. Runs in the caller's
 /// arena. Calls `pause` now and then, from several threads. An exception from `pause` ends the sort.
 class ProximityOrder {
  public:

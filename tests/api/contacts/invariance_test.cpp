@@ -1,7 +1,6 @@
 // The answer must not depend on the number of threads, the instruction set, the unit of length, the order of vertices,
 // mirroring, or earlier questions.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +16,7 @@
 #include "support/kernels_here.hpp"
 #include "support/shortened.hpp"
 #include "support/test_names.hpp"
+#include "support/threads.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 
@@ -38,16 +38,21 @@ class Invariance : public testing::TestWithParam<Recipe> {
 // Bugs: an answer that depends on the thread that found it, on which part of a shared loop came first, or on the parts.
 TEST_P(Invariance, AnyNumberOfThreadsGivesTheSameBitsOfEveryQuestion) {
   constexpr int kThreads = 5;
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, kThreads);
+  const AllowedThreads allowed(kThreads);
+  EnginePool pool(kThreads - 1);
   // So many vertices, blocks and pairs that threads share all loops.
   const Scene whole = scene(GetParam().scales ? 20000 : 800, 5);
   const double distance = 0.1 * mean_edge(whole.mesh(), whole.start);
   Detector one(whole.mesh(), {.threads = 1}), many(whole.mesh(), {.threads = kThreads});
+  Detector lent(whole.mesh(), {.threads = kThreads, .parallel_for = pool.lend()});
   for (const double part : {1.0, 0.5, 0.25}) {
     const Scene s = shortened(whole, part);
     for (const AnyQuestion& question : questions_of(s, distance)) {
-      EXPECT_EQ(question.ask(one), question.ask(many)) << question.name << " to " << part;
-      EXPECT_EQ(many.statistics().threads, kThreads);
+      const auto expected = question.ask(one);
+      EXPECT_EQ(question.ask(many), expected) << question.name << " to " << part;
+      EXPECT_EQ(question.ask(lent), expected) << question.name << " to " << part << ", lent threads";
+      EXPECT_EQ(many.statistics().threads, has_threads() ? kThreads : 1);
+      EXPECT_EQ(lent.statistics().threads, kThreads);
     }
   }
 }

@@ -3,7 +3,6 @@
 #include "search/engine/pair_stream.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -18,6 +17,7 @@
 #include "search/engine/thread_streams.hpp"
 #include "search/topology/loose_features.hpp"
 #include "support/ask_pair.hpp"
+#include "support/threads.hpp"
 
 namespace tamis::test {
 namespace {
@@ -128,7 +128,8 @@ class PairStreams : public testing::TestWithParam<int> {
     const Query query{scene_.step(), {kSeparation}, options_.filter, rings_, options_.is_cancelled};
     Recording recording{query, fails};
     Pairs pairs;
-    tbb::task_arena(GetParam()).execute([&] {
+    EnginePool pool(GetParam() - 1);
+    Arena(GetParam(), pool.lend()).run([&] {
       streams_.begin(recording);
       for (const Sample& sample : samples) streams_.search_trees(sample, latest);
     });

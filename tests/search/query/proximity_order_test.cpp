@@ -1,11 +1,12 @@
 #include "search/query/proximity_order.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <random>
+
+#include "numbers/parallel.hpp"
+#include "support/threads.hpp"
 
 namespace tamis {
 namespace {
@@ -19,13 +20,17 @@ std::vector<PairVertices> pairs_of(Index vertex_count, std::size_t count, unsign
   return pairs;
 }
 
-void expect_sorted(std::vector<PairVertices> pairs, Index vertex_count, int threads) {
+void expect_sorted(const std::vector<PairVertices>& pairs, Index vertex_count, int threads) {
   std::vector<PairVertices> expected = pairs;
   std::sort(expected.begin(), expected.end());
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  ProximityOrder order;
-  tbb::task_arena(threads).execute([&] { order.sort(pairs, vertex_count); });
-  EXPECT_EQ(pairs, expected) << vertex_count << " vertices, " << threads << " threads";
+  const test::AllowedThreads allowed(threads);
+  test::EnginePool pool(threads - 1);
+  for (const ParallelFor& lent : {ParallelFor(), pool.lend()}) {
+    std::vector<PairVertices> sorted = pairs;
+    ProximityOrder order;
+    Arena(threads, lent).run([&] { order.sort(sorted, vertex_count); });
+    EXPECT_EQ(sorted, expected) << vertex_count << " vertices, " << threads << " threads" << (lent ? ", lent" : "");
+  }
 }
 
 TEST(ProximityOrder, IsThatOfTheVerticesWithAnyNumberOfThreads) {
@@ -41,7 +46,7 @@ TEST(ProximityOrder, TakesPairsOfFewerThanFourVertices) {
   for (const std::size_t used : {2u, 3u}) {
     std::vector<PairVertices> pairs = pairs_of(50, 3000, 5);
     for (PairVertices& pair : pairs) std::fill(pair.begin() + used, pair.end(), -1);
-    expect_sorted(std::move(pairs), 50, 2);
+    expect_sorted(pairs, 50, 2);
   }
 }
 

@@ -1,6 +1,6 @@
 // Enumerates the pairs of features of a mesh: those without a common vertex that the caller's filter lets pass.
 #pragma once
-#include "search/query/isolated.hpp"
+#include "numbers/parallel.hpp"
 #include "search/query/pair_groups.hpp"
 #include "search/query/pair_vertices.hpp"
 #include "search/topology/loose_features.hpp"

@@ -17,6 +17,7 @@
 #include "command/command_line/messages.hpp"
 #include "command/command_line/standard_streams.hpp"
 #include "tamis/error.hpp"
+#include "tamis/options.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -65,7 +66,8 @@ int parse_error(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 void declare(const Command& command, CLI::App& app) {
-  app.set_version_flag("--version", fmt::format("{} {}", command.name, TAMIS_VERSION));
+  app.set_version_flag("--version", fmt::format("{} {}\nthreads: {}", command.name, TAMIS_VERSION,
+                                                has_threads() ? "oneTBB" : "one, built without oneTBB"));
   app.require_subcommand(1);
   app.footer(
       fmt::format("'{} VERB --help' explains a verb and gives examples.\n"

@@ -1,12 +1,12 @@
 #include "scenes/simulation/scenes.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <filesystem>
 
 #include "scenes/simulation/simulator.hpp"
 #include "scenes/simulation/tests/intersection.hpp"
+#include "support/threads.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::simulation {
@@ -72,7 +72,7 @@ TEST_P(EveryScene, GivesTheSameBitsWithOneThreadAndWithMany) {
   Simulator many(make()), one(make());
   for (int frame = 0; frame < 3; ++frame) {
     many.advance();
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    const test::AllowedThreads one_thread(1);
     one.advance();
     ASSERT_EQ(many.particles().position, one.particles().position) << "frame " << frame;
   }

@@ -5,6 +5,7 @@
 
 #include "api/pair_faults.hpp"
 #include "numbers/assert.hpp"
+#include "numbers/platform.hpp"
 #include "pair/narrow/decide.hpp"
 #include "search/engine/pair_buffer.hpp"
 #include "search/query/cancellation.hpp"
@@ -56,8 +57,8 @@ class PartDecision {
     const int at = batch->pairs.count++;
     put(kind, pair.vertices, batch->pairs, at);
     for (const Index v : std::span(pair.vertices).template first<kCorners>()) {
-      __builtin_prefetch(part_.step.start[v]);
-      __builtin_prefetch(part_.step.end[v]);
+      prefetch(part_.step.start[v]);
+      prefetch(part_.step.end[v]);
     }
     batch->places[at] = place;
     return batch->pairs.count < Batch::kPairsPerBatch || decide_batch(kind);

@@ -6,7 +6,7 @@
 
 #include "numbers/assert.hpp"
 #include "numbers/double_double.hpp"
-#include "numbers/plain_arithmetic.hpp"
+#include "numbers/platform.hpp"
 #include "numbers/wide_double.hpp"
 
 namespace tamis {
@@ -35,13 +35,13 @@ class Estimate {
   bool is_sharp() const { return is_sharp(std::fabs(value_)); }
 
   // Forced inline. A pair takes hundreds, and a call would pass the 32 bytes of each through memory.
-  [[gnu::always_inline]] friend Estimate operator-(const Estimate& a) { return {-a.value_, a.error_, 0 - a.rest_}; }
-  [[gnu::always_inline]] friend Estimate operator+(const Estimate& a, const Estimate& b) {
+  TAMIS_ALWAYS_INLINE friend Estimate operator-(const Estimate& a) { return {-a.value_, a.error_, 0 - a.rest_}; }
+  TAMIS_ALWAYS_INLINE friend Estimate operator+(const Estimate& a, const Estimate& b) {
     const DoubleDouble sum = DoubleDouble::sum_of(a.value_, b.value_);
     return Estimate{sum.high, kUp * (a.error_ + b.error_ + std::fabs(sum.low)), a.rest_ + b.rest_}.sharpened();
   }
-  [[gnu::always_inline]] friend Estimate operator-(const Estimate& a, const Estimate& b) { return a + -b; }
-  [[gnu::always_inline]] friend Estimate operator*(const Estimate& a, const Estimate& b) {
+  TAMIS_ALWAYS_INLINE friend Estimate operator-(const Estimate& a, const Estimate& b) { return a + -b; }
+  TAMIS_ALWAYS_INLINE friend Estimate operator*(const Estimate& a, const Estimate& b) {
     const double product = a.value_ * b.value_ + 0;  // never -0
     const double inherited = std::fabs(a.value_) * b.error_ + a.error_ * (std::fabs(b.value_) + b.error_);
     return {product, kUp * (inherited + kRounding * std::fabs(product)), a.rest_ * b.rest_};

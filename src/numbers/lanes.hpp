@@ -1,12 +1,13 @@
 // SIMD lanes: xsimd batches for arithmetic, and what its Debian version lacks (a mask as bits, columns of rows).
 // Include only from the kernels, which are compiled once per instruction set.
 #pragma once
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <xsimd/xsimd.hpp>
 
 #include "numbers/error_bounds.hpp"
-#include "numbers/plain_arithmetic.hpp"
+#include "numbers/platform.hpp"
 #include "numbers/select.hpp"
 
 #ifndef TAMIS_ISA
@@ -64,7 +65,7 @@ inline unsigned first_lanes(int count, int lanes = kDoubleLanes) { return (1u <<
 inline int count_bits(unsigned mask) {
   if constexpr (kFloatLanes == 4)  // the baseline has no instruction for it
     return static_cast<int>(0x4332322132212110u >> (4 * mask) & 15);
-  return __builtin_popcount(mask);
+  return std::popcount(mask);
 }
 
 /// first, first + 1, ...

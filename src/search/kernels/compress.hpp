@@ -1,5 +1,7 @@
 // Stream compaction: writes the lanes that a mask names to consecutive places, and pairs with their times.
 #pragma once
+#include <bit>
+
 #include "numbers/lanes.hpp"
 #include "pair/motion/time_clip.hpp"
 #include "search/kernels/kernels.hpp"
@@ -45,7 +47,7 @@ inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count
   for_sixteen_lanes([&](int lane) {
     const unsigned some = mask >> lane & ((1u << kFloatLanes) - 1);
     store_compressed(some, counting_from(first + lane), list + count);
-    count += __builtin_popcount(some);
+    count += std::popcount(some);
   });
 }
 
@@ -84,7 +86,7 @@ inline int store_pairs(unsigned mask, const PairBuffer& in, int first, const Tim
   store_corners<corners>(mask, in, first, out, to);
   store_compressed(mask, time.t_in, out.t_in + to);
   store_compressed(mask, time.t_out, out.t_out + to);
-  return __builtin_popcount(mask);
+  return std::popcount(mask);
 }
 
 }  // namespace tamis::TAMIS_ISA

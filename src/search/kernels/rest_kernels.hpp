@@ -1,5 +1,7 @@
 // Pairs at rest: which are within their separation, and the NearPair of each.
 #pragma once
+#include <bit>
+
 #include "pair/distance/rest_distance.hpp"
 #include "search/kernels/compress.hpp"
 #include "search/kernels/load_motion.hpp"
@@ -30,7 +32,7 @@ template <PairKind kind>
 void find_within_at_rest(const MotionView& motion, const PairBuffer& in, PairBuffer& near, PairBuffer& unsure) {
   const auto append = [&](int first, unsigned lanes, PairBuffer& to) {
     store_corners(lanes, in, first, to, to.count);
-    to.count += __builtin_popcount(lanes);
+    to.count += std::popcount(lanes);
   };
   near.count = unsure.count = 0;
   for (int first = 0; first < in.count; first += kFloatLanes) {

@@ -163,7 +163,7 @@ def search_path(work: pathlib.Path) -> "dict[str, str]":
 
 def with_libraries_of(build: pathlib.Path) -> "list[str]":
     """Return definitions for CMake: take the libraries of `build`, and compile the rest in one unit, which is fastest."""
-    return [f"TAMIS_BUILT={build}", "CMAKE_UNITY_BUILD=ON", "CMAKE_UNITY_BUILD_BATCH_SIZE=0"]
+    return [f"TAMIS_BUILT={build}", "CMAKE_UNITY_BUILD_BATCH_SIZE=0"]
 
 
 def compile_wheel(

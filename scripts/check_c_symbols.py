@@ -10,11 +10,16 @@ import subprocess
 import sys
 
 
+def declared_in(folder: pathlib.Path) -> set[str]:
+    """Return the functions that the headers of a folder declare."""
+    headers = "".join(path.read_text() for path in sorted(folder.glob("*.h")))
+    text = re.sub(r"/\*.*?\*/", "", headers, flags=re.DOTALL)
+    return set(re.findall(r"^TAMIS_API [^(]*\b(tamis_\w+)\(", text, re.MULTILINE))
+
+
 def main() -> int:
     library, folder = sys.argv[1:]
-    headers = "".join(path.read_text() for path in sorted(pathlib.Path(folder).glob("*.h")))
-    text = re.sub(r"/\*.*?\*/", "", headers, flags=re.DOTALL)
-    declared = set(re.findall(r"^TAMIS_API [^(]*\b(tamis_\w+)\(", text, re.MULTILINE))
+    declared = declared_in(pathlib.Path(folder))
     version = re.search(r"libtamis_c\.so\.(\d+\.\d+)", pathlib.Path(library).resolve().name)
     if not version or not declared:
         print(f"{library} has no version in its name, or {folder} declares nothing")

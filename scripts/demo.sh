@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 
 scripts/setup.sh
 # A build from scratch is faster with 32 sources as one unit: headers are read once for all of them.
-cmake --preset release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=32 -DTAMIS_BUILD_LAB=OFF
+cmake --preset release -DCMAKE_UNITY_BUILD_BATCH_SIZE=32 -DTAMIS_BUILD_LAB=OFF
 cmake --build --preset release --target tamis_command
 
 scripts/demo_commands.sh build/release/bin/tamis out/demo

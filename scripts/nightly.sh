@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # nightly.sh: runs all tests, and checks that take too long for every day: each source compiled by itself, clang-tidy over
-# all sources, both commands of the README on new roots of both Debians, both sanitizers, the unit tests on 64-bit ARM, an
-# hour of attacks and 50 minutes of fuzzing. Takes some six hours on two cores. Goes on after a failure, and names the
-# failures at the end.
+# all sources, both commands of the README and four compilers on new roots of both Debians, both sanitizers, the unit tests
+# on 64-bit ARM, a build for macOS, an hour of attacks and 50 minutes of fuzzing. Takes some seven hours on two cores. Goes on
+# after a failure, and names the failures at the end.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
@@ -20,13 +20,15 @@ run cmake --preset dev -B build/alone -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PR
 run cmake --build build/alone
 run scripts/check_tidy.sh build/all/tidy --all
 for release in trixie bookworm; do
-  run scripts/try_in_root.sh "$release" scripts/demo.sh
-  run scripts/try_in_root.sh "$release" scripts/test.sh
+  run scripts/try_in_root.sh "$release" sh -c 'scripts/demo.sh && scripts/test.sh'
   run scripts/try_in_root.sh "$release" scripts/test.sh --all
+  run scripts/try_in_root.sh "$release" scripts/check_compilers.sh
+  run scripts/try_in_root.sh "$release" scripts/build_from_source.sh
 done
 run scripts/sanitize.sh address
 run scripts/sanitize.sh thread
 run scripts/test_arm64.sh --all
+run scripts/build_macos.sh
 run scripts/hostile.sh 3600
 run scripts/fuzz.sh 600
 ((${#failed[@]} == 0)) && echo "nightly: all passed" && exit 0

@@ -3,6 +3,7 @@
 #   --core-tests   those of scripts/test.sh
 #   --all-tests    those of scripts/test.sh --all, and the viewer's tools
 #   --python       those to build the module for Python
+#   --compilers    the other compilers that the release has (scripts/check_compilers.sh)
 #   --blender      Blender, in which the add-on is tested (besides the module bpy)
 #   --arm64        those of the tests on 64-bit ARM
 #   --bench        those of the benchmarks, and the libraries that Tamis is compared with
@@ -24,11 +25,16 @@ case ${1:-} in
     command -v npm >/dev/null || packages+=(nodejs npm)
     ;;
   --python) packages+=(python3-venv python3-dev) ;;
+  --compilers)
+    for version in g++-12 g++-14 clang-14 clang-19; do
+      ! apt-cache show "$version" >/dev/null 2>&1 || packages+=("$version")
+    done
+    ;;
   --blender) packages+=(blender python3-numpy) ;;
   --arm64) packages+=(g++-aarch64-linux-gnu qemu-user) ;;
   --bench) packages+=(libbenchmark-dev libembree-dev libcgal-dev libbullet-dev libfcl-dev python3-matplotlib) ;;
   "") ;;
-  *) echo "setup: no option is called $1: use --core-tests, --all-tests, --python, --blender, --arm64 or --bench" >&2; exit 2 ;;
+  *) echo "setup: no option is called $1: use --core-tests, --all-tests, --python, --compilers, --blender, --arm64 or --bench" >&2; exit 2 ;;
 esac
 
 is_installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }

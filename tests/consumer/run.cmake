@@ -15,7 +15,7 @@ if(library STREQUAL "${work}/library")
   cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
   # Not optimised: that compiles faster, and links in the same way.
   run(${CMAKE_COMMAND} -S ${root} -B ${library} ${compile} -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS_DEBUG=-O0
-    -D CMAKE_UNITY_BUILD=ON -D BUILD_SHARED_LIBS=${shared}
+    -D BUILD_SHARED_LIBS=${shared}
     -D TAMIS_BUILD_LAB=OFF -D TAMIS_BUILD_TOOLS=OFF -D TAMIS_BUILD_TESTS=OFF)
   run(${CMAKE_COMMAND} --build ${library} --parallel ${cores})
 endif()
@@ -25,3 +25,25 @@ run(${CMAKE_COMMAND} -S ${root}/tests/consumer/project -B ${work}/consumer ${com
   -D CMAKE_PREFIX_PATH=${work}/prefix -D compiled=${compiled} -D examples=${root}/examples)
 run(${CMAKE_COMMAND} --build ${work}/consumer)
 run(${CMAKE_CTEST_COMMAND} --test-dir ${work}/consumer --output-on-failure --no-tests=error)
+
+# The same by pkg-config and the compiler alone. Of a static library it names what that links, too.
+find_program(pkg_config pkg-config REQUIRED)
+file(GLOB_RECURSE pc_files ${work}/prefix/*/tamis.pc)
+get_filename_component(folder "${pc_files}" DIRECTORY)
+set(ENV{PKG_CONFIG_PATH} ${folder}:$ENV{PKG_CONFIG_PATH})
+set(static)
+if(linkage STREQUAL "static")
+  set(static --static)
+endif()
+function(by_pkg_config package example)
+  execute_process(COMMAND ${pkg_config} --cflags --libs ${ARGN} ${package} OUTPUT_VARIABLE flags COMMAND_ERROR_IS_FATAL ANY)
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  execute_process(COMMAND ${pkg_config} --variable=libdir ${package} OUTPUT_VARIABLE libdir OUTPUT_STRIP_TRAILING_WHITESPACE)
+  set(program ${work}/${example}_by_pkg_config)
+  run(${compiler} -Wl,-rpath,${libdir} -o ${program} ${root}/examples/${example} ${flags})
+  run(${CMAKE_COMMAND} -D example=${program} -D expected=${root}/examples/output/${example}.txt -P ${root}/examples/compare.cmake)
+endfunction()
+set(compiler ${compiler} -std=c++20)
+by_pkg_config(tamis hello.cpp ${static})
+set(compiler cc)
+by_pkg_config(tamis-c hello.c)

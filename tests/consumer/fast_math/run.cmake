@@ -3,8 +3,9 @@ function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-run(${CMAKE_COMMAND} -S ${root}/tests/consumer/fast_math -B ${work} -G ${generator} -D tamis_root=${root}
-  -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_COMPILER_LAUNCHER=${launcher} -D CMAKE_UNITY_BUILD=ON
+run(${CMAKE_COMMAND} -S ${root}/tests/consumer/from_source -B ${work} -G ${generator}
+  -D program=${root}/tests/consumer/fast_math/main.cpp -D TAMIS_TBB=OFF
+  -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_COMPILER_LAUNCHER=${launcher}
   -D CMAKE_BUILD_TYPE=Debug "-D CMAKE_CXX_FLAGS=-Ofast -ffast-math -fno-signed-zeros" -D CMAKE_CXX_FLAGS_DEBUG=-O1
   -D TAMIS_OPTIMIZE_KERNELS=OFF)
 run(${CMAKE_COMMAND} --build ${work})

@@ -1,0 +1,21 @@
+# Files for pkg-config. They find their folder by their own place, so that the installed files may be moved.
+# tamis_pkg_config(name library description [requires [private]]): the last two are what a static library links.
+file(RELATIVE_PATH to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" to_prefix ${to_prefix})
+function(tamis_pkg_config name library description)
+  set(requires "${ARGV3}")
+  set(private "${ARGV4}")
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/tamis.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+set(static_requires)
+set(static_links)
+if(NOT BUILD_SHARED_LIBS)
+  set(static_requires tbb)
+  set(static_links -lgmp)
+endif()
+tamis_pkg_config(tamis tamis "Proves which moving, deforming triangle meshes touch" "${static_requires}" "${static_links}")
+if(TAMIS_BUILD_C)
+  tamis_pkg_config(tamis-c tamis_c "The C interface of Tamis")
+endif()

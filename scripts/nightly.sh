@@ -28,6 +28,7 @@ done
 run scripts/sanitize.sh address
 run scripts/sanitize.sh thread
 run scripts/test_arm64.sh --all
+run scripts/try_in_root.sh --data trixie scripts/test_wasm.sh
 run scripts/build_macos.sh
 run scripts/hostile.sh 3600
 run scripts/fuzz.sh 600

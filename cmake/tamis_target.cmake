@@ -4,7 +4,8 @@ set(TAMIS_INCLUDES ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/tools ${PROJECT_S
 # Settings that all targets of the project share.
 function(tamis_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  get_property(has_shared GLOBAL PROPERTY TARGET_SUPPORTS_SHARED_LIBS)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ${has_shared} CXX_SCAN_FOR_MODULES OFF)
   # No contraction: a product and a sum must round twice, or the error bounds do not hold.
   # A parent project's options stand before a target's: these take -ffast-math and -Ofast back. The sources refuse what is left.
   target_compile_options(${target} PRIVATE -fno-fast-math -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion)

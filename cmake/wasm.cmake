@@ -20,15 +20,16 @@ set(CMAKE_EXE_LINKER_FLAGS_INIT "-sALLOW_MEMORY_GROWTH -sABORTING_MALLOC=0 -sSTA
 find_program(TAMIS_NODE NAMES node nodejs NO_CMAKE_FIND_ROOT_PATH)
 set(CMAKE_CROSSCOMPILING_EMULATOR ${TAMIS_NODE})
 
-# Header-only libraries are this machine's. /usr/include has its C library, too: so they are seen through links.
+# Header-only libraries are this machine's. Its /usr/include has its C library, too: so compilers see links to these alone.
 set(TAMIS_WASM_HEADERS ${CMAKE_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${TAMIS_WASM_HEADERS})
-foreach(library boost fmt xsimd)
-  find_path(TAMIS_WASM_${library} ${library} PATHS /usr/include /usr/local/include NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
-  mark_as_advanced(TAMIS_WASM_${library})
-  if(TAMIS_WASM_${library})
-    file(CREATE_LINK ${TAMIS_WASM_${library}}/${library} ${TAMIS_WASM_HEADERS}/${library} SYMBOLIC)
+foreach(library boost fmt nlohmann xsimd xtl)
+  if(EXISTS /usr/include/${library})
+    file(CREATE_LINK /usr/include/${library} ${TAMIS_WASM_HEADERS}/${library} SYMBOLIC)
   endif()
 endforeach()
+string(APPEND CMAKE_CXX_FLAGS_INIT " -isystem ${TAMIS_WASM_HEADERS}")
+set(CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES /usr/include)  # CMake drops it from what packages want
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE BOTH)
 set(Boost_INCLUDE_DIR ${TAMIS_WASM_HEADERS} CACHE PATH "Boost's headers")
 list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR}/wasm)

@@ -17,8 +17,8 @@ const tests = {
     const scene = makeScene(m);
     assert.strictEqual(scene.contacts(-1), OK);
     assert.strictEqual(scene.count(), 1);
-    const contact = m._malloc(104);
-    assert.strictEqual(m._tamis_detector_copy_contacts(scene.detector, 0, 1, contact, 104), OK);
+    const contact = m._malloc(88);
+    assert.strictEqual(m._tamis_detector_copy_contacts(scene.detector, 0, 1, contact, 88), OK);
     assert.deepStrictEqual([...m.HEAP32.subarray(contact / 4, contact / 4 + 6)], [0, 0, 3, 0, 1, 2]);
     const [lower, upper, u, v, ...normal] = m.HEAPF64.subarray(contact / 8 + 3, contact / 8 + 10);
     assert(lower <= 0.5 && 0.5 <= upper && upper - lower < 1e-9, `${lower} ${upper}`);

@@ -25,7 +25,7 @@ for package in libxsimd-dev "$boost"; do
 done
 
 cmake -G Ninja -B "$build" -DCMAKE_TOOLCHAIN_FILE=cmake/zig.cmake -DTAMIS_ZIG="$build/zig" -DTAMIS_ZIG_SYSTEM=Darwin \
-  -DTAMIS_ZIG_PROCESSOR=arm64 -DTAMIS_ZIG_PACKAGES="$build/packages" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_VISIBILITY_PRESET=hidden \
+  -DTAMIS_ZIG_PROCESSOR=arm64 -DTAMIS_ZIG_PACKAGES="$build/packages" -Dxsimd_DIR="$(dirname "$(find "$build/packages" -name xsimdConfig.cmake)")" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_VISIBILITY_PRESET=hidden \
   -DTAMIS_TBB=OFF -DTAMIS_BUILD_TOOLS=OFF -DTAMIS_BUILD_LAB=OFF -DTAMIS_BUILD_TESTS=OFF -DTAMIS_WARNINGS_AS_ERRORS=ON
 cmake --build "$build"
 "$build/zig/c++" -std=c++20 -Iinclude examples/hello.cpp "$build/src/libtamis.a" -o "$build/hello_cpp"

@@ -23,6 +23,7 @@ set(with_compiler -D CMAKE_CXX_COMPILER=${compiler})
 expect(no_xsimd "tamis: xsimd 8.1 or newer is missing: install it (Debian: libxsimd-dev" ${with_compiler} -D CMAKE_DISABLE_FIND_PACKAGE_xsimd=ON)
 old_package(xsimd 7.6.0)
 expect(old_xsimd "tamis: xsimd in ${work}/old is version 7.6.0, but Tamis needs 8.1 or newer: install it" ${with_compiler} -D xsimd_DIR=${work}/old)
+expect(no_tbb "oneTBB was not found: install it (Debian: libtbb-dev)" ${with_compiler} -D TAMIS_TBB=ON -D CMAKE_DISABLE_FIND_PACKAGE_TBB=ON)
 expect(no_mpi "need MPI, which is missing: install it (Debian: libopenmpi-dev)" ${with_compiler} -D TAMIS_BUILD_MPI=ON -D CMAKE_DISABLE_FIND_PACKAGE_MPI=ON)
 
 # A compiler that knows only C++17, whatever it is told.

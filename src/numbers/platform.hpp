@@ -14,8 +14,9 @@
 #error \
     "Tamis is compiled with -ffast-math or a part of it, and would miss contacts: add -fno-fast-math behind that option"
 #endif
-#if defined(_M_FP_FAST)
-#error "Tamis is compiled with /fp:fast, and would miss contacts: add /fp:precise behind that option"
+#if defined(_M_FP_FAST) || (defined(_MSC_VER) && !defined(__clang__) && _MSC_VER < 1930)
+#error \
+    "Tamis is compiled with /fp:fast, or by an MSVC that fuses products and sums, and would miss contacts: add /fp:precise behind that option, and take Visual Studio 2022 or newer"
 #endif
 #if FLT_EVAL_METHOD != 0
 #error \
@@ -126,14 +127,14 @@ inline bool has_features(std::uint64_t saved, int of_leaf_7) {
   __cpuid(regs, 0);
   if (regs[0] < 7) return false;
   __cpuid(regs, 1);
-  constexpr int kSavesRegisters = 1 << 27;
-  if ((regs[2] & kSavesRegisters) == 0 || (_xgetbv(0) & saved) != saved) return false;
+  constexpr int kOfLeaf1 = 1 << 12 | 1 << 22 | 1 << 23 | 1 << 27;  // fma, movbe and popcnt, as /arch:AVX2 uses; xgetbv
+  if ((regs[2] & kOfLeaf1) != kOfLeaf1 || (_xgetbv(0) & saved) != saved) return false;
   __cpuidex(regs, 7, 0);
   return (regs[1] & of_leaf_7) == of_leaf_7;
 }
-inline bool has_avx2() { return has_features(0x06, 1 << 5); }
-inline bool has_avx512() {  // f, dq, cd, bw, vl
-  return has_features(0xe6, static_cast<int>(1U << 16 | 1U << 17 | 1U << 28 | 1U << 30 | 1U << 31));
+inline bool has_avx2() { return has_features(0x06, 1 << 3 | 1 << 5 | 1 << 8); }  // bmi1, avx2, bmi2
+inline bool has_avx512() {                                                       // f, dq, cd, bw, vl
+  return has_avx2() && has_features(0xe6, static_cast<int>(1U << 16 | 1U << 17 | 1U << 28 | 1U << 30 | 1U << 31));
 }
 #else
 inline bool has_avx2() { return __builtin_cpu_supports("avx2"); }

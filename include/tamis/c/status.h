@@ -4,7 +4,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(__GNUC__)
+#if defined(_WIN32) && defined(tamis_c_EXPORTS) /* the library itself is being compiled */
+#define TAMIS_API __declspec(dllexport)
+#elif defined(_WIN32)
+#define TAMIS_API __declspec(dllimport)
+#elif defined(__GNUC__)
 #define TAMIS_API __attribute__((visibility("default")))
 #else
 #define TAMIS_API

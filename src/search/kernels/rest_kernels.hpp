@@ -1,7 +1,5 @@
 // Pairs at rest: which are within their separation, and the NearPair of each.
 #pragma once
-#include <bit>
-
 #include "pair/distance/rest_distance.hpp"
 #include "search/kernels/compress.hpp"
 #include "search/kernels/load_motion.hpp"
@@ -32,7 +30,7 @@ template <PairKind kind>
 void find_within_at_rest(const MotionView& motion, const PairBuffer& in, PairBuffer& near, PairBuffer& unsure) {
   const auto append = [&](int first, unsigned lanes, PairBuffer& to) {
     store_corners(lanes, in, first, to, to.count);
-    to.count += std::popcount(lanes);
+    to.count += count_bits(lanes);
   };
   near.count = unsure.count = 0;
   for (int first = 0; first < in.count; first += kFloatLanes) {

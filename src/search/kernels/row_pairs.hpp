@@ -1,8 +1,6 @@
 // The pairs of a row: one feature of a leaf block and the sixteen of another. Finds the neighbours of the one among the
 // sixteen. Appends the features that meet it to the buffer.
 #pragma once
-#include <bit>
-
 #include "search/kernels/compress.hpp"
 
 namespace tamis::TAMIS_ISA {
@@ -73,7 +71,7 @@ class RowPairs {
       }
       FloatLanes(0.0f).store_unaligned(pairs.t_in + pairs.count);
       FloatLanes(t_limit).store_unaligned(pairs.t_out + pairs.count);
-      pairs.count += std::popcount(mask);
+      pairs.count += count_bits(mask);
     });
   }
 

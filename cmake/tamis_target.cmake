@@ -29,13 +29,14 @@ else()
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   # Templates serve doubles and lanes, so they join conditions with & and | for bool, too.
-  list(APPEND TAMIS_ALWAYS -Wno-bitwise-instead-of-logical)
+  list(APPEND TAMIS_WARNINGS -Wno-bitwise-instead-of-logical)
 endif()
 
 # Settings that all targets of the project share. A parent project chooses its own warnings.
 function(tamis_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  get_property(has_shared GLOBAL PROPERTY TARGET_SUPPORTS_SHARED_LIBS)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ${has_shared} CXX_SCAN_FOR_MODULES OFF)
   target_compile_options(${target} PRIVATE ${TAMIS_ALWAYS})
   if(TAMIS_IS_TOP_LEVEL)
     target_compile_options(${target} PRIVATE ${TAMIS_WARNINGS})

@@ -35,7 +35,7 @@ void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count, con
   sorted_.resize(contacts.size());
   in_parts(buckets, kBucketsPerPart, [&](std::size_t first_bucket, std::size_t end_bucket) {
     pause();
-    const auto begin = entries_.begin();
+    Entry* const begin = entries_.data();
     for (std::size_t b = first_bucket; b != end_bucket; ++b)
       if (counting_.end_of(b) > counting_.begin_of(b) + 1)
         std::sort(begin + counting_.begin_of(b), begin + counting_.end_of(b), is_before);

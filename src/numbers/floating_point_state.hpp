@@ -3,7 +3,6 @@
 // begins with a ComputingState, and so does each task for another thread (parallel.cpp). Callers' functions run in a
 // CallersState.
 #pragma once
-
 #include "numbers/platform.hpp"
 
 namespace tamis {

@@ -4,6 +4,10 @@ import { listed } from "./scene/filter";
 import type { Scene } from "./scene/scene";
 import { StepView } from "./scene/step_view";
 import type { Key, Store } from "./store";
+import { thinned } from "./view3d/large";
+
+/** More marks hide each other, and a page with more does not answer. */
+export const kMostMarks = 100_000;
 
 export const kFilterKeys: Key[] = [
   "step",
@@ -22,6 +26,8 @@ export class Session {
   view: StepView;
   /** The listed contacts, in the order of the list. */
   rows: Uint32Array = new Uint32Array();
+  /** The listed contacts that are drawn: all, or at equal distances in the list as many as can be told apart. */
+  drawn: Uint32Array = new Uint32Array();
   pair: Pair | null = null;
 
   constructor(
@@ -82,11 +88,7 @@ export class Session {
 
   private refilter(): void {
     this.rows = listed(this.view, this.store.now);
-    const { flags } = this.view.marks;
-    const { first } = this.view.step;
-    const { contacts } = this.scene;
-    const kHidden = 2;
-    flags.fill(kHidden);
-    for (const i of this.rows) flags[i - first] = contacts.isUnresolved(i) ? 1 : 0;
+    // In the order of contacts, so that a mark hides the same others however the list is sorted.
+    this.drawn = thinned(this.rows, 1, kMostMarks).slice().sort();
   }
 }

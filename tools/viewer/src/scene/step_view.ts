@@ -42,7 +42,7 @@ export class StepView {
     const start = new Float32Array(3 * step.count);
     const end = new Float32Array(3 * step.count);
     const toi = new Float32Array(step.count);
-    const flags = new Float32Array(step.count);
+    const unresolved = new Float32Array(step.count);
     for (let k = 0; k < step.count; ++k) {
       const i = step.first + k;
       // The first feature is a vertex or an edge.
@@ -55,9 +55,9 @@ export class StepView {
         end[3 * k + axis] = (1 - along) * step.end[a + axis] + along * step.end[b + axis];
       }
       toi[k] = contacts.toiLower[i];
-      flags[k] = contacts.isUnresolved(i) ? 1 : 0;
+      unresolved[k] = contacts.isUnresolved(i) ? 1 : 0;
     }
-    return { start, end, toi, flags };
+    return { start, end, toi, unresolved };
   }
 
   private touches(): Float32Array {

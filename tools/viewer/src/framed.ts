@@ -34,7 +34,7 @@ class Framed {
   private async show(bytes: ArrayBuffer, keep: boolean): Promise<void> {
     try {
       const scene = await Scene.read(new SceneFile(new Uint8Array(bytes)), this.opening.say);
-      const look = (keep && this.viewer?.look()) || "";
+      const look = keep ? (this.viewer?.look() ?? "") : "";
       this.theme = this.viewer?.session.store.now.theme ?? this.theme;
       this.viewer?.close();
       this.viewer = null;

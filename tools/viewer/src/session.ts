@@ -7,7 +7,7 @@ import type { Key, Store } from "./store";
 import { thinned } from "./view3d/large";
 
 /** More marks hide each other, and a page with more does not answer. */
-export const kMostMarks = 100_000;
+export const kMostMarks = 150_000;
 
 export const kFilterKeys: Key[] = [
   "step",

@@ -18,14 +18,15 @@ export const kSegmentSlice = 2_500;
 
 type Numbers = Uint32Array | Float32Array | Uint8Array;
 
-/** Returns rows of `width` numbers at equal distances, at most `most` of them. */
+/** Returns rows of `width` numbers at equal distances: `most` of them, or all if there are fewer. */
 export function thinned<Rows extends Numbers>(rows: Rows, width: number, most: number): Rows {
   const count = rows.length / width;
-  const stride = Math.ceil(count / most);
-  if (stride <= 1) return rows;
-  const kept = new (rows.constructor as new (length: number) => Rows)(width * Math.ceil(count / stride));
-  for (let i = 0; i * stride < count; ++i)
-    for (let k = 0; k < width; ++k) kept[width * i + k] = rows[width * i * stride + k];
+  if (count <= most) return rows;
+  const kept = new (rows.constructor as new (length: number) => Rows)(width * most);
+  for (let i = 0; i < most; ++i) {
+    const from = width * Math.floor((i * count) / most);
+    for (let k = 0; k < width; ++k) kept[width * i + k] = rows[from + k];
+  }
   return kept;
 }
 

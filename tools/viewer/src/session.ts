@@ -34,12 +34,12 @@ export class Session {
     readonly scene: Scene,
     readonly store: Store,
   ) {
-    this.view = new StepView(scene, scene.step(store.now.step));
+    this.view = new StepView(scene, scene.step(store.now.step), null);
     store.follow(["step", "up"], () => {
       const { step, up } = store.now;
       if (this.view.step.index === step && scene.up === up) return;
       scene.up = up;
-      this.view = new StepView(scene, scene.step(step));
+      this.view = new StepView(scene, scene.step(step), this.view.step.index === step ? this.view : null);
     });
     store.follow(kFilterKeys, () => {
       this.refilter();

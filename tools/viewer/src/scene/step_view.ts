@@ -13,15 +13,15 @@ export class StepView {
   /** The contacts, sorted by time of impact. */
   readonly byTime: Uint32Array;
 
+  /** `turned`: a view of the same step, with another axis upward; null if there is none. */
   constructor(
     readonly scene: Scene,
     readonly step: Step,
+    turned: StepView | null,
   ) {
     this.marks = this.place();
-    this.firstTouch = this.touches();
-    const { toiLower } = scene.contacts;
-    this.byTime = new Uint32Array(step.count).map((_, i) => step.first + i);
-    this.byTime.sort((a, b) => toiLower[a] - toiLower[b] || a - b);
+    this.firstTouch = turned?.firstTouch ?? this.touches();
+    this.byTime = turned?.byTime ?? this.sorted();
   }
 
   /** The first certified contact or intersection, a new one if there is one; -1 if there are none. */
@@ -34,6 +34,12 @@ export class StepView {
   /** The contact with the earliest bracket; -1 if there are none. Intersections end no step. */
   get limiting(): number {
     return this.byTime.find((i) => !isIntersection(this.scene.contacts, i)) ?? -1;
+  }
+
+  private sorted(): Uint32Array {
+    const { toiLower } = this.scene.contacts;
+    const contacts = new Uint32Array(this.step.count).map((_, i) => this.step.first + i);
+    return contacts.sort((a, b) => toiLower[a] - toiLower[b] || a - b);
   }
 
   private place(): MarkData {

@@ -5,7 +5,7 @@ import { Pair } from "../scene/pair";
 import { thinned } from "./large";
 
 /** So many triangles and contacts are enough to tell directions apart, and take no noticeable time. */
-const kTriangles = 15_000;
+const kTriangles = 10_000;
 const kContacts = 16;
 /** The first contact counts as much as so many others. */
 const kFirstWeight = 4;

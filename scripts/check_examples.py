@@ -7,12 +7,13 @@ import re
 import sys
 
 PAGES = {
-    "README.md": ["hello.cpp", "world.cpp", "hello.py"],
+    "README.md": ["hello.cpp", "hello.py"],
+    "docs/getting-started.md": ["two_meshes.cpp", "two_meshes.py"],
     "docs/c.md": ["hello.c", "bodies.c", "from_ctypes.py"],
-    "docs/cpp.md": ["before_step_one.cpp", "at_start.cpp", "near.cpp", "response.cpp", "line_search.cpp", "simulation_loop.cpp",
-                    "objects.cpp"],
+    "docs/cpp.md": ["before_step_one.cpp", "near.cpp", "response.cpp", "line_search.cpp", "simulation_loop.cpp", "objects.cpp",
+                    "at_start.cpp"],
     "docs/plane.md": ["plane.cpp"],
-    "docs/worlds.md": ["bodies.cpp", "static_bodies.cpp", "robot.py"],
+    "docs/worlds.md": ["world.cpp", "bodies.cpp", "static_bodies.cpp", "robot.py"],
 }
 # A program, and behind it what it prints.
 QUOTED = re.compile(r"^```(?:cpp|c|python)\n(.*?)^```$(.*?)^```text\n(.*?)^```$", re.DOTALL | re.MULTILINE)

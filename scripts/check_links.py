@@ -12,7 +12,7 @@ HEADING = re.compile(r"^#+ (.+)$", re.MULTILINE)
 SECTION = re.compile(r'(docs/[\w/-]+\.md)(?:[,:]? "([^"]+)")?')
 FILE = re.compile(r"`([\w-]+(?:/[\w.-]+)*/[\w.-]+\.(?:cpp|hpp|h|py|sh|ts|md|txt|cmake|mjs|toml))`")
 # What was found in old commits names files of that time.
-OF_ITS_TIME = ("docs/history/", "CHANGELOG.md")
+OF_ITS_TIME = ("paper/notes/", "CHANGELOG.md")
 
 
 def anchor(heading: str) -> str:

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Draws the matrix as one picture: benchmarks/matrix/plot.py DAILY.csv PICTURE.png. Needs matplotlib (Debian:
-python3-matplotlib). Prints the table of docs/performance.md in Markdown.
+python3-matplotlib). Prints the table of paper/notes/performance.md in Markdown.
 
 DAILY.csv is from compare.py --csv. There is a panel for each instruction set. A square of it is one step, a scene at a
 scale: how many times as fast as the old build the new one is, as the geometric mean of the step's cells."""

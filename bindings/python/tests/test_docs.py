@@ -12,6 +12,7 @@ import pytest
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PAGES = [
     "README.md",
+    "docs/getting-started.md",
     "docs/python.md",
     "docs/python-tour.md",
     "docs/worlds.md",

@@ -23,6 +23,7 @@ def test_many_motions_have_the_answers_that_they_have_alone(cube: tamis.Shape) -
     assert found.toi_lower.shape == found.toi_upper.shape == found.is_free.shape == (40,)
     assert 0 < found.is_free.sum() < 40
     assert len(found.contacts) == len(found.touching)
+    assert str(found) == f"EarliestMany(40 motions, {len(found.touching)} of them not free)"  # would catch 500 lines
     contacts = dict(zip(found.touching.tolist(), found.contacts, strict=True))
     for i, motion in enumerate(motions):
         world.move_many(arm, motion)

@@ -33,8 +33,8 @@ enum class LooksAt : std::uint8_t {
   distances,  ///< step lengths: distances at the start, and how far they shrink until the end
 };
 
-/// The axes whose order serves the question best, judged by every sixteenth of `points` (docs/history/performance.md,
-/// "What is near at the start").
+/// The axes whose order serves the question best, judged by every sixteenth of `points`. For `earliest` of
+/// cloth-ball x10 the order of the start takes 52 ms, the order halfway 77.
 OrderAxes order_axes(const PackedMotion& motion, std::span<const Index> points, LooksAt looks_at);
 
 }  // namespace tamis

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t kManyPairsPerBlock = 1024;
 constexpr double kShortSteps[] = {0x1p-6, 0x1p-3};
 /// Short steps are no longer than this part of the time known to end the step. A step that is hardly shorter meets
-/// hardly fewer pairs (docs/history/performance.md, "Steps made to be slow").
+/// hardly fewer pairs.
 constexpr double kShort = 0.25;
 /// In the coordinates of the boxes: with the separation kMeetsAll all boxes meet but outliers'; with kMeetsOutliers,
 /// these too.

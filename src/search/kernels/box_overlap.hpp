@@ -174,8 +174,8 @@ class MovingBoxes {
     return sum;
   }
 
-  /// If boxes grow by no more than this part of their extent in sweeping, the cheap test is as sharp as the sharp one
-  /// (docs/history/performance.md, "What chooses").
+  /// If boxes grow by no more than this part of their extent in sweeping, the cheap test is as sharp as the sharp one.
+  /// Chosen on kick, armadillo-rollers and cloth-ball at several scales.
   static constexpr float kShort = 0.3f;
   const float t_limit_;
   const bool has_outliers_;

@@ -81,11 +81,11 @@ class LeafRows {
  private:
   static constexpr int kMostLeaves = 32, kAhead = 4;
   /// The first kSample rows of a block get the cheap test. If more than the part kMostMet of them remain, the other
-  /// rows get the sharp test at once (docs/history/performance.md, "What chooses").
+  /// rows get the sharp test at once: contacts of kick 62-65 take 17 ms instead of 500.
   static constexpr int kSample = 16;
   static constexpr double kMostMet = 0.65;
-  /// A row with at most this many features within reach is not tested again. Later stages take less time
-  /// (docs/history/performance.md, "Reach by blocks").
+  /// A row with at most this many features within reach is not tested again. Later stages take less time:
+  /// if such rows are always tested again, cloth gains 3% by the cheap test, not 25%.
   static constexpr int kFew = 2;
 
   unsigned rows_that_meet(const MetLeaf& leaf, const Bounds& hulls, int lane) const {

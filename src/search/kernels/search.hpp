@@ -29,8 +29,8 @@ class BlockSearch {
 
  private:
   using Bounds = typename Boxes::Bounds;
-  /// A reach up to this part of a leaf block's extent is short. Hardly any features but neighbours are within it
-  /// (docs/history/performance.md, "Reach by blocks").
+  /// A reach up to this part of a leaf block's extent is short. Hardly any features but neighbours are within
+  /// it. On small motions 0.02 loses a gain of 1.23; 0.15 takes 1.4 times as long.
   static constexpr float kShortReach = 0x1p-4f;
 
   void visit(int level, int node) {

@@ -146,6 +146,9 @@ class EarliestMany(NamedTuple):
         free[self.touching] = False
         return free
 
+    def __repr__(self) -> str:
+        return f"EarliestMany({len(self.toi_lower)} motions, {len(self.touching)} of them not free)"
+
 
 class OfBodies(Table[Row]):
     """Tables of which each row is about two bodies."""

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Writes the demo's output into the README, or checks that the README shows it, except for times and memory.
+"""Writes the demo's output into docs/demo.md, or checks that the page shows it, except for times and memory.
 
-    scripts/refresh_readme.py                               runs scripts/demo.sh, writes README.md
-    scripts/refresh_readme.py --check build/dev/bin/tamis   runs the demo's commands, compares README.md
+    scripts/refresh_demo.py                               runs scripts/demo.sh, writes docs/demo.md
+    scripts/refresh_demo.py --check build/dev/bin/tamis   runs the demo's commands, compares docs/demo.md
 """
 import argparse
 import difflib
@@ -13,6 +13,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+PAGE = ROOT / "docs/demo.md"
 SHOWN = re.compile(r"(?<=```\n)\$ tamis scene.*?(?=\n```)", re.DOTALL)
 
 
@@ -36,27 +37,26 @@ def without_measurements(text):
 
 
 def refresh():
-    readme = ROOT / "README.md"
     printed = as_shown(printed_by("scripts/demo.sh"), "build/release/bin/tamis", "out/demo")
-    readme.write_text(SHOWN.sub(lambda _: printed, readme.read_text()))
+    PAGE.write_text(SHOWN.sub(lambda _: printed, PAGE.read_text()))
 
 
 def check(tamis):
     with tempfile.TemporaryDirectory() as folder:
         frames = pathlib.Path(folder, "demo").resolve()
         printed = as_shown(printed_by("scripts/demo_commands.sh", tamis, frames), tamis, frames)
-    shown = SHOWN.search((ROOT / "README.md").read_text())[0]
+    shown = SHOWN.search(PAGE.read_text())[0]
     lines = (without_measurements(text).splitlines() for text in (shown, printed))
-    differences = list(difflib.unified_diff(*lines, "README.md", "what the demo prints", lineterm=""))
+    differences = list(difflib.unified_diff(*lines, "docs/demo.md", "what the demo prints", lineterm=""))
     if differences:
-        sys.exit("\n".join([*differences, "README.md is not of today: scripts/refresh_readme.py writes it anew"]))
+        sys.exit("\n".join([*differences, "docs/demo.md is out of date: run scripts/refresh_demo.py"]))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", metavar="TAMIS", type=lambda path: pathlib.Path(path).resolve(), help="the command")
-    asked = parser.parse_args()
-    check(asked.check) if asked.check else refresh()
+    given = parser.parse_args()
+    check(given.check) if given.check else refresh()
 
 
 if __name__ == "__main__":

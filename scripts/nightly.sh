@@ -32,6 +32,7 @@ run scripts/sanitize.sh address
 run scripts/sanitize.sh thread
 run scripts/test_arm64.sh --all
 run scripts/test_windows.sh --all
+run scripts/try_in_root.sh --data trixie scripts/test_wasm.sh
 run scripts/build_macos.sh
 run scripts/hostile.sh 3600
 run scripts/fuzz.sh 600

@@ -3,11 +3,13 @@
 # an empty environment, as on a machine that was set up just now. Needs root, debootstrap, and some gigabytes in build/roots, where
 # the bare root stays for the next time. Packages come from this machine's own source. The exit code is COMMAND's; 77 if there can
 # be no such root.
+#   --data   the recorded data (TAMIS_DATA, or ../shared/data) is there, too
 #   --keep   leaves the root in build/roots/RELEASE, to look into
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-keep=
+keep= data=
+if [[ ${1:-} == --data ]]; then data=${TAMIS_DATA:-$PWD/../shared/data}; shift; fi
 if [[ ${1:-} == --keep ]]; then keep=yes; shift; fi
 release=${1:?say which release, bookworm or trixie}
 shift
@@ -53,9 +55,10 @@ copy /etc/ssl/certs/ca-certificates.crt
 apt-config dump | grep -E '^Acquire::(https?::|Check-)' >"$root/etc/apt/apt.conf.d/90machine" || true
 
 git clone --quiet "$PWD" "$root/root/tamis"
+mkdir -p "$root/root/shared/data"
 echo "try_in_root: $release: $*"
 # The mounts, and whatever still runs, end with these namespaces.
 unshare --mount --pid --fork --kill-child bash -c '
-  mount -t proc proc "$0/proc" && mount --rbind /dev "$0/dev" &&
-  exec env -i HOME=/root LANG=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin chroot "$0" sh -c '\''cd /root/tamis && exec "$@"'\'' sh "$@"' \
-  "$root" "$@"
+  mount -t proc proc "$0/proc" && mount --rbind /dev "$0/dev" && { [[ ! -d $1 ]] || mount --rbind "$1" "$0/root/shared/data"; } &&
+  shift && exec env -i HOME=/root LANG=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin chroot "$0" sh -c '\''cd /root/tamis && exec "$@"'\'' sh "$@"' \
+  "$root" "$data" "$@"

@@ -76,8 +76,10 @@ std::vector<double> time(Session& session) {
 /// Memory that detectors free stays with the process. Otherwise the next one has 10 page faults or 3,000, depending on
 /// the order in which the last one freed its arrays: that changes the time of a cell by half, by luck.
 void keep_memory() {
+#if defined(M_MMAP_MAX)  // WebAssembly keeps all memory
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+#endif
 }
 
 void print(const nlohmann::ordered_json& row) { std::cout << row.dump() << std::endl; }

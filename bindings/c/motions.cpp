@@ -5,13 +5,6 @@
 namespace tamis::c {
 namespace {
 
-/// count * of_each: rows of bodies, or links of bodies. Refuses more than any array has.
-std::size_t product(std::size_t count, std::size_t of_each, const char* name) {
-  check_count(of_each, name);
-  if (of_each > 0) check_count(count > (std::size_t{1} << 48U) / of_each ? ~std::size_t{0} : count * of_each, name);
-  return count * of_each;
-}
-
 std::vector<BodyMotion> deforming(const tamis_motions& given) {
   if (given.vertex_count < 0)
     throw InvalidStep("vertex_count is " + std::to_string(given.vertex_count) + ": give the vertices of the shape");

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 
+#include "c/sized.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::c {
@@ -14,9 +15,11 @@ PairFilter filter_of(const tamis_options& given, Index vertex_count) {
   PairFilter filter;
   filter.group_count = given.group_count == 0 ? 1 : given.group_count;
   if (given.group_of_vertex) filter.group_of_vertex.assign(given.group_of_vertex, given.group_of_vertex + vertex_count);
-  const auto groups = static_cast<std::ptrdiff_t>(filter.group_count);
-  if (given.groups_may_touch)
-    filter.groups_may_touch.assign(given.groups_may_touch, given.groups_may_touch + groups * groups);
+  if (given.groups_may_touch) {
+    const auto groups = static_cast<std::size_t>(filter.group_count);
+    filter.groups_may_touch.assign(given.groups_may_touch,
+                                   given.groups_may_touch + product(groups, groups, "group_count"));
+  }
   if (given.rings != 0) filter.rings = given.rings;
   if (given.accepts)
     filter.accepts = [ask = given.accepts, user = given.user](PairKind kind, const std::array<Index, 4>& vertices) {

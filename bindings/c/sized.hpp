@@ -22,10 +22,22 @@ inline void check_size(std::size_t size, std::size_t least, const char* name) {
   if (size < least || size > kMostBytes) refuse_size(size, name);
 }
 
+/// No address space has so many rows. Four times as many still fit into std::size_t.
+inline constexpr int kCountBits = sizeof(std::size_t) > 4 ? 48 : 29;
+
 /// Refuses a count beyond any address space before a row is read: it is a negative number, or was never set.
 inline void check_count(std::size_t count, const char* name) {
-  if (count >> 48U != 0)
-    throw InvalidArgument(std::string(name) + " is " + std::to_string(count) + ": give a number of rows below 2^48");
+  if (count >> kCountBits != 0)
+    throw InvalidArgument(std::string(name) + " is " + std::to_string(count) + ": give a number of rows below 2^" +
+                          std::to_string(kCountBits));
+}
+
+/// count * of_each. Refuses more rows than any array has.
+inline std::size_t product(std::size_t count, std::size_t of_each, const char* name) {
+  check_count(of_each, name);
+  constexpr std::size_t kMost = std::size_t{1} << kCountBits;
+  if (of_each > 0) check_count(count > kMost / of_each ? ~std::size_t{0} : count * of_each, name);
+  return count * of_each;
 }
 
 /// The size that a caller's struct says. Every sizeof is a multiple of the alignment; another number was never set, and

@@ -1,5 +1,6 @@
 // Converts positions and steps from C.
 #pragma once
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -13,7 +14,7 @@ inline Positions positions(const double* rows, Index count, std::ptrdiff_t strid
   if (stride != 0 && stride < 3)
     throw InvalidArgument(std::string(name) + "_stride is " + std::to_string(stride) +
                           ": give the doubles from one row to the next, at least 3, or 0");
-  if (count > 0 && stride > std::numeric_limits<std::ptrdiff_t>::max() / 8 / count)
+  if (count > 0 && std::max<std::ptrdiff_t>(stride, 3) > std::numeric_limits<std::ptrdiff_t>::max() / 8 / count)
     throw InvalidArgument(std::string(name) + "_stride is " + std::to_string(stride) + ", and there are " +
                           std::to_string(count) +
                           " rows: no memory is so large; give the doubles from one to the next");

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "numbers/in_parts.hpp"
+#include "numbers/platform.hpp"
 #include "search/query/contact_collector.hpp"
 #include "search/topology/at.hpp"
 
@@ -34,14 +35,14 @@ void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count, con
   sorted_.resize(contacts.size());
   in_parts(buckets, kBucketsPerPart, [&](std::size_t first_bucket, std::size_t end_bucket) {
     pause();
-    const auto begin = entries_.begin();
+    Entry* const begin = entries_.data();
     for (std::size_t b = first_bucket; b != end_bucket; ++b)
       if (counting_.end_of(b) > counting_.begin_of(b) + 1)
         std::sort(begin + counting_.begin_of(b), begin + counting_.end_of(b), is_before);
     constexpr std::uint32_t kFetched = 8;                        // contacts ahead: they lie scattered
     const std::uint32_t end = counting_.end_of(end_bucket - 1);  // another thread may be sorting entries behind it
     for (std::uint32_t i = counting_.begin_of(first_bucket); i < end; ++i) {
-      if (i + kFetched < end) __builtin_prefetch(&contacts[entries_[i + kFetched].place]);
+      if (i + kFetched < end) prefetch(&contacts[entries_[i + kFetched].place]);
       sorted_[i] = contacts[entries_[i].place];
     }
   });

@@ -5,6 +5,8 @@
 
 #include "api/pair_faults.hpp"
 #include "numbers/assert.hpp"
+#include "numbers/platform.hpp"
+#include "numbers/raw_array.hpp"
 #include "pair/narrow/decide.hpp"
 #include "search/engine/pair_buffer.hpp"
 #include "search/query/cancellation.hpp"
@@ -52,12 +54,12 @@ class PartDecision {
     const FeaturePair& pair = part_.pairs[static_cast<std::size_t>(place)];
     if (!are_rows<kCorners>(pair, part_.step.start.count())) return false;
     auto& batch = batches_[static_cast<std::size_t>(kind)];
-    if (!batch) batch = std::make_unique_for_overwrite<Batch>();
+    if (!batch) batch = make_raw<Batch>();
     const int at = batch->pairs.count++;
     put(kind, pair.vertices, batch->pairs, at);
     for (const Index v : std::span(pair.vertices).template first<kCorners>()) {
-      __builtin_prefetch(part_.step.start[v]);
-      __builtin_prefetch(part_.step.end[v]);
+      prefetch(part_.step.start[v]);
+      prefetch(part_.step.end[v]);
     }
     batch->places[at] = place;
     return batch->pairs.count < Batch::kPairsPerBatch || decide_batch(kind);
@@ -92,7 +94,7 @@ class PartDecision {
   const ListPart part_;
   PairResult* results_;
   std::unique_ptr<Batch> batches_[kPairKinds];
-  const std::unique_ptr<DecisionScratch> scratch_ = std::make_unique_for_overwrite<DecisionScratch>();
+  const std::unique_ptr<DecisionScratch> scratch_ = make_raw<DecisionScratch>();
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -34,9 +35,10 @@ void validate(const PairFilter& filter, const Mesh& mesh) {
                          ": give at least 1, which leaves out pairs with a common vertex");
   if (filter.group_count <= 0)
     throw InvalidOptions("group_count is " + std::to_string(filter.group_count) + ": give at least one group");
-  if (!filter.groups_may_touch.empty() && filter.groups_may_touch.size() != n * n)
+  const std::uint64_t entries = std::uint64_t{n} * n;  // may exceed std::size_t of 32 bits
+  if (!filter.groups_may_touch.empty() && filter.groups_may_touch.size() != entries)
     throw InvalidOptions("groups_may_touch has " + std::to_string(filter.groups_may_touch.size()) +
-                         " entries: give group_count^2 = " + std::to_string(n * n));
+                         " entries: give group_count^2 = " + std::to_string(entries));
   for (std::size_t a = 0; a < n && !filter.groups_may_touch.empty(); ++a)
     for (std::size_t b = 0; b < a; ++b)
       if (!filter.groups_may_touch[a * n + b] != !filter.groups_may_touch[b * n + a])

@@ -6,23 +6,19 @@
 namespace tamis {
 namespace {
 
-constexpr std::uint64_t kPrime = (std::uint64_t{1} << 61) - 1;
+constexpr std::uint64_t kPrime = (std::uint64_t{1} << 31) - 1;
 
-std::uint64_t times(std::uint64_t a, std::uint64_t b) {
-  __extension__ using Wide = unsigned __int128;
-  const Wide product = Wide{a} * b;
-  const std::uint64_t sum = static_cast<std::uint64_t>(product & kPrime) + static_cast<std::uint64_t>(product >> 61);
-  return sum >= kPrime ? sum - kPrime : sum;
-}
-
-/// 2^61 is 1 modulo kPrime. So the residue is the sum of the digits of 61 bits.
-std::uint64_t residue(const Integer& a) {
-  std::uint64_t sum = 0;
-  for (int first = 0; first < a.bits(); first += 61) sum = (sum + (a.bits_from(first) & kPrime)) % kPrime;
-  return a.sign() < 0 && sum > 0 ? kPrime - sum : sum;
-}
-
+std::uint64_t times(std::uint64_t a, std::uint64_t b) { return a * b % kPrime; }
 std::uint64_t minus(std::uint64_t a, std::uint64_t b) { return a >= b ? a - b : a + kPrime - b; }
+
+/// 2^62 is 1 modulo kPrime. So the residue is the sum of the digits of 62 bits.
+std::uint64_t residue(const Integer& a) {
+  constexpr int kDigit = 62;
+  std::uint64_t sum = 0;
+  for (int first = 0; first < a.bits(); first += kDigit)
+    sum = (sum + (a.bits_from(first) & ((std::uint64_t{1} << kDigit) - 1))) % kPrime;
+  return a.sign() < 0 ? minus(0, sum) : sum;
+}
 
 struct Residues {
   std::array<std::uint64_t, IntegerPolynomial::kMaxDegree + 1> powers{};

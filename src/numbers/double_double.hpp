@@ -10,7 +10,7 @@
 #pragma once
 #include "numbers/assert.hpp"
 #include "numbers/error_bounds.hpp"
-#include "numbers/plain_arithmetic.hpp"
+#include "numbers/platform.hpp"
 #include "numbers/select.hpp"
 #include "numbers/vec.hpp"
 

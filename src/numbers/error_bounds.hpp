@@ -5,7 +5,7 @@
 // A pair is three moving vectors e, f, d. Their sizes E, F, D are the largest |component| at t=0 and t=1. All are
 // scaled by a power of two so the largest size is below 1 (pair/motion/pair_motion.hpp).
 #pragma once
-#include "numbers/plain_arithmetic.hpp"
+#include "numbers/platform.hpp"
 #include "numbers/select.hpp"
 
 namespace tamis::error_bounds {

@@ -6,7 +6,8 @@
 
 #include "numbers/assert.hpp"
 #include "numbers/double_double.hpp"
-#include "numbers/plain_arithmetic.hpp"
+#include "numbers/platform.hpp"
+#include "numbers/two_words.hpp"
 #include "numbers/wide_double.hpp"
 
 namespace tamis {
@@ -16,14 +17,14 @@ namespace tamis {
 class Estimate {
  public:
   Estimate() = default;
-  Estimate(int value) : value_(value), rest_(static_cast<Wide>(value)) {}
+  Estimate(int value) : value_(value), rest_(TwoWords::of(value)) {}
   /// mantissa 2^shift, an integer. REQUIRES: |mantissa| <= 2^53.
   static Estimate scaled(std::int64_t mantissa, int shift) {
     TAMIS_ASSERT(std::int64_t{-1} << 53 <= mantissa && mantissa <= std::int64_t{1} << 53);
-    if (shift <= 0) return {static_cast<double>(mantissa >> -shift), 0, static_cast<Wide>(mantissa >> -shift)};
-    if (shift > 900) return {0, HUGE_VAL, 0};
+    if (shift <= 0) return {static_cast<double>(mantissa >> -shift), 0, TwoWords::of(mantissa >> -shift)};
+    if (shift > 900) return {0, HUGE_VAL, {}};
     return {times_power_of_two(static_cast<double>(mantissa), shift), 0,
-            shift < 128 ? static_cast<Wide>(mantissa) << shift : 0};
+            shift < 128 ? TwoWords::of(mantissa) << shift : TwoWords()};
   }
 
   double value() const { return value_; }
@@ -35,36 +36,33 @@ class Estimate {
   bool is_sharp() const { return is_sharp(std::fabs(value_)); }
 
   // Forced inline. A pair takes hundreds, and a call would pass the 32 bytes of each through memory.
-  [[gnu::always_inline]] friend Estimate operator-(const Estimate& a) { return {-a.value_, a.error_, 0 - a.rest_}; }
-  [[gnu::always_inline]] friend Estimate operator+(const Estimate& a, const Estimate& b) {
+  TAMIS_ALWAYS_INLINE friend Estimate operator-(const Estimate& a) { return {-a.value_, a.error_, -a.rest_}; }
+  TAMIS_ALWAYS_INLINE friend Estimate operator+(const Estimate& a, const Estimate& b) {
     const DoubleDouble sum = DoubleDouble::sum_of(a.value_, b.value_);
     return Estimate{sum.high, kUp * (a.error_ + b.error_ + std::fabs(sum.low)), a.rest_ + b.rest_}.sharpened();
   }
-  [[gnu::always_inline]] friend Estimate operator-(const Estimate& a, const Estimate& b) { return a + -b; }
-  [[gnu::always_inline]] friend Estimate operator*(const Estimate& a, const Estimate& b) {
+  TAMIS_ALWAYS_INLINE friend Estimate operator-(const Estimate& a, const Estimate& b) { return a + -b; }
+  TAMIS_ALWAYS_INLINE friend Estimate operator*(const Estimate& a, const Estimate& b) {
     const double product = a.value_ * b.value_ + 0;  // never -0
     const double inherited = std::fabs(a.value_) * b.error_ + a.error_ * (std::fabs(b.value_) + b.error_);
     return {product, kUp * (inherited + kRounding * std::fabs(product)), a.rest_ * b.rest_};
   }
 
  private:
-  __extension__ using Wide = unsigned __int128;
-  __extension__ using SignedWide = __int128;
-
   static constexpr double kRounding = 0x1p-53, kUp = 1 + 0x1p-50;  // kUp: for roundings of the bound
 
-  Estimate(double value, double error, Wide rest) : value_(value), error_(error), rest_(rest) {}
+  Estimate(double value, double error, TwoWords rest) : value_(value), error_(error), rest_(rest) {}
 
   bool is_zero() const { return value_ == 0 && error_ == 0; }
   /// After an addition that cancelled much: the value that is known modulo 2^128, if it is surely below 2^126.
   Estimate sharpened() const {
     if (is_sharp() || !(std::fabs(value_) + error_ < 0x1p126)) return *this;
-    const auto value = static_cast<double>(static_cast<SignedWide>(rest_));
+    const auto value = rest_.to_double();
     return {value, kRounding * std::fabs(value), rest_};
   }
 
   double value_ = 0, error_ = 0;  ///< integers do not underflow; after an overflow the error is infinite or NaN
-  Wide rest_ = 0;
+  TwoWords rest_;
 };
 
 }  // namespace tamis

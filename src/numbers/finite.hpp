@@ -1,6 +1,6 @@
 // Tests whether a point is finite.
 #pragma once
-#include "numbers/plain_arithmetic.hpp"
+#include "numbers/platform.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis {

@@ -2,60 +2,13 @@
 // subnormal numbers are numbers. Engines and other callers set other states. So every public function that computes
 // begins with a ComputingState, and so does each task for another thread (parallel.cpp). Callers' functions run in a
 // CallersState.
-//
-// Known are x86-64 (MXCSR; and the x87 word, which the C library's strtod reads) and 64-bit ARM (FPCR). On any other
-// machine nothing is read or set. A port must add its register here, or its callers must not change the state.
 #pragma once
-#include <cstdint>
-
-#include "numbers/plain_arithmetic.hpp"
+#include "numbers/platform.hpp"
 
 namespace tamis {
 
-/// The bits of a thread's registers that decide how results round, which subnormal numbers are zero, and which results
-/// raise a signal.
-struct FloatingPointState {
-#if defined(__x86_64__)
-  std::uint32_t sse = 0x1f80;  ///< of MXCSR all but the flags that tell what has happened
-  std::uint32_t x87 = 0;       ///< of the control word the two bits of the rounding direction
-#elif defined(__aarch64__)
-  std::uint64_t fpcr = 0;
-#endif
-  bool operator==(const FloatingPointState&) const = default;
-};
-
 /// To nearest, nothing flushed, no signal.
 inline constexpr FloatingPointState kToNearest;
-
-#if defined(__x86_64__)
-inline FloatingPointState floating_point_state() {
-  std::uint32_t sse = 0;
-  std::uint16_t x87 = 0;
-  asm volatile("stmxcsr %0\n\tfnstcw %1" : "=m"(sse), "=m"(x87) : : "memory");
-  return {sse & 0xffc0U, x87 & 0x0c00U};
-}
-/// Leaves all other bits as they are.
-inline void set_floating_point_state(const FloatingPointState& state) {
-  std::uint32_t sse = 0;
-  std::uint16_t x87 = 0;
-  asm volatile("stmxcsr %0\n\tfnstcw %1" : "=m"(sse), "=m"(x87) : : "memory");
-  sse = (sse & ~0xffc0U) | state.sse;
-  x87 = static_cast<std::uint16_t>((x87 & ~0x0c00U) | state.x87);
-  asm volatile("ldmxcsr %0\n\tfldcw %1" : : "m"(sse), "m"(x87) : "memory");
-}
-#elif defined(__aarch64__)
-inline FloatingPointState floating_point_state() {
-  std::uint64_t fpcr = 0;
-  asm volatile("mrs %0, fpcr" : "=r"(fpcr) : : "memory");
-  return {fpcr};
-}
-inline void set_floating_point_state(const FloatingPointState& state) {
-  asm volatile("msr fpcr, %0" : : "r"(state.fpcr) : "memory");
-}
-#else
-inline FloatingPointState floating_point_state() { return {}; }
-inline void set_floating_point_state(const FloatingPointState&) {}
-#endif
 
 /// Whom this thread computes for: part of the thread's state, as the registers are.
 struct ComputesFor {

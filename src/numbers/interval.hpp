@@ -7,7 +7,7 @@
 
 #include "numbers/assert.hpp"
 #include "numbers/double_double.hpp"
-#include "numbers/plain_arithmetic.hpp"
+#include "numbers/platform.hpp"
 #include "numbers/scale.hpp"
 #include "numbers/select.hpp"
 #include "numbers/vec.hpp"
@@ -84,7 +84,7 @@ inline BasicInterval<T> operator-(const BasicInterval<T>& a, const BasicInterval
 
 /// Forced inline: paths take hundreds of these, and compilers would call it.
 template <class T>
-[[gnu::always_inline]] inline BasicInterval<T> operator*(const BasicInterval<T>& a, const BasicInterval<T>& b) {
+TAMIS_ALWAYS_INLINE BasicInterval<T> operator*(const BasicInterval<T>& a, const BasicInterval<T>& b) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const T p = a.lower * b.lower, s = a.upper * b.upper;
   if ((a.is_zero() || b.is_zero()) && p == T(0) && s == T(0)) return {};

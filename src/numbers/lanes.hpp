@@ -1,12 +1,14 @@
 // SIMD lanes: xsimd batches for arithmetic, and what its Debian version lacks (a mask as bits, columns of rows).
 // Include only from the kernels, which are compiled once per instruction set.
 #pragma once
+#include <bit>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <xsimd/xsimd.hpp>
 
 #include "numbers/error_bounds.hpp"
-#include "numbers/plain_arithmetic.hpp"
+#include "numbers/platform.hpp"
 #include "numbers/select.hpp"
 
 #ifndef TAMIS_ISA
@@ -26,34 +28,44 @@ inline constexpr int kFloatLanes = static_cast<int>(FloatLanes::size);
 /// it takes the type of the batch.
 template <class To, class From>
 inline xsimd::batch<To, Arch> same_bits(const xsimd::batch<From, Arch>& lanes) {
+  if constexpr (std::is_same_v<To, From>)
+    return lanes;
+  else
 #if XSIMD_VERSION_MAJOR < 11
-  return xsimd::bitwise_cast<xsimd::batch<To, Arch>>(lanes);
+    return xsimd::bitwise_cast<xsimd::batch<To, Arch>>(lanes);
 #else
-  return xsimd::bitwise_cast<To>(lanes);
+    return xsimd::bitwise_cast<To>(lanes);
 #endif
 }
+
+#if XSIMD_WITH_AVX && !XSIMD_WITH_AVX512F
+inline int signs_of(const DoubleLanes& lanes) { return _mm256_movemask_pd(lanes); }
+inline int signs_of(const FloatLanes& lanes) { return _mm256_movemask_ps(lanes); }
+#elif XSIMD_WITH_SSE2 && !XSIMD_WITH_AVX
+inline int signs_of(const DoubleLanes& lanes) { return _mm_movemask_pd(lanes); }
+inline int signs_of(const FloatLanes& lanes) { return _mm_movemask_ps(lanes); }
+#endif
 
 /// One bit a lane, lane 0 lowest.
 template <class T>
 inline unsigned bits(const xsimd::batch_bool<T, Arch>& mask) {
 #if XSIMD_WITH_AVX512F
   return static_cast<unsigned>(mask.data);
-#elif XSIMD_WITH_AVX
-  if constexpr (sizeof(T) == 8)
-    return static_cast<unsigned>(_mm256_movemask_pd(_mm256_castsi256_pd((__m256i)mask.data)));
-  else
-    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps((__m256i)mask.data)));
 #elif XSIMD_WITH_SSE2
+  const xsimd::batch<T, Arch> lanes(mask.data);
   if constexpr (sizeof(T) == 8)
-    return static_cast<unsigned>(_mm_movemask_pd(_mm_castsi128_pd((__m128i)mask.data)));
+    return static_cast<unsigned>(signs_of(same_bits<double>(lanes)));
   else
-    return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps((__m128i)mask.data)));
+    return static_cast<unsigned>(signs_of(same_bits<float>(lanes)));
+#elif XSIMD_WITH_NEON64
+  static constexpr std::uint32_t kFours[4] = {1, 2, 4, 8};
+  static constexpr std::uint64_t kTwos[2] = {1, 2};
+  if constexpr (sizeof(T) == 8)
+    return static_cast<unsigned>(vaddvq_u64(vandq_u64(mask.data, vld1q_u64(kTwos))));
+  else
+    return vaddvq_u32(vandq_u32(mask.data, vld1q_u32(kFours)));
 #else
-  bool flags[xsimd::batch_bool<T, Arch>::size];
-  mask.store_unaligned(flags);
-  unsigned result = 0;
-  for (unsigned i = 0; i < xsimd::batch_bool<T, Arch>::size; ++i) result |= unsigned(flags[i]) << i;
-  return result;
+  return static_cast<unsigned>(mask.mask());  // WebAssembly is in versions that have it
 #endif
 }
 
@@ -64,7 +76,7 @@ inline unsigned first_lanes(int count, int lanes = kDoubleLanes) { return (1u <<
 inline int count_bits(unsigned mask) {
   if constexpr (kFloatLanes == 4)  // the baseline has no instruction for it
     return static_cast<int>(0x4332322132212110u >> (4 * mask) & 15);
-  return __builtin_popcount(mask);
+  return std::popcount(mask);
 }
 
 /// first, first + 1, ...
@@ -79,18 +91,20 @@ inline FloatLanes to_float(const DoubleLanes& low, const DoubleLanes& high) {
   return _mm512_insertf32x8(_mm512_castps256_ps512(_mm512_cvtpd_ps(low)), _mm512_cvtpd_ps(high), 1);
 #elif XSIMD_WITH_AVX
   return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm256_cvtpd_ps(low)), _mm256_cvtpd_ps(high), 1);
+#elif XSIMD_WITH_SSE2
+  return _mm_movelh_ps(_mm_cvtpd_ps(low), _mm_cvtpd_ps(high));
+#elif XSIMD_WITH_NEON64
+  return vcvt_high_f32_f64(vcvt_f32_f64(low), high);
 #else
-  double wide[kFloatLanes];
-  float narrow[kFloatLanes];
-  low.store_unaligned(wide);
-  high.store_unaligned(wide + kDoubleLanes);
-  for (int i = 0; i < kFloatLanes; ++i) narrow[i] = static_cast<float>(wide[i]);
-  return FloatLanes::load_unaligned(narrow);
+  return wasm_i32x4_shuffle(wasm_f32x4_demote_f64x2_zero(low), wasm_f32x4_demote_f64x2_zero(high), 0, 1, 4, 5);
 #endif
 }
 
 /// The least of all lanes.
 inline float least(const FloatLanes& lanes) {
+#if XSIMD_WITH_NEON64
+  return vminvq_f32(lanes);
+#else
   FloatLanes fours = lanes;  // in the first lane of each four: the least of the four
 #if XSIMD_WITH_AVX512F
   fours = min(fours, FloatLanes(_mm512_permute_ps(fours, 0xb1)));
@@ -105,63 +119,57 @@ inline float least(const FloatLanes& lanes) {
   float result = all[0];
   for (std::size_t i = kStride; i < FloatLanes::size; i += kStride) result = all[i] < result ? all[i] : result;
   return result;
+#endif
 }
 
 inline float greatest(const FloatLanes& lanes) { return -least(-lanes); }
 
+/// Interleaves the lower, and the higher, two lanes of each four: a0 b0 a1 b1, and a2 b2 a3 b3.
+inline FloatLanes zip_low(const FloatLanes& a, const FloatLanes& b) {
+#if XSIMD_WITH_AVX512F
+  return _mm512_unpacklo_ps(a, b);
+#elif XSIMD_WITH_AVX
+  return _mm256_unpacklo_ps(a, b);
+#else
+  return xsimd::zip_lo(a, b);
+#endif
+}
+inline FloatLanes zip_high(const FloatLanes& a, const FloatLanes& b) {
+#if XSIMD_WITH_AVX512F
+  return _mm512_unpackhi_ps(a, b);
+#elif XSIMD_WITH_AVX
+  return _mm256_unpackhi_ps(a, b);
+#else
+  return xsimd::zip_hi(a, b);
+#endif
+}
+
+/// As many fours as there are in a batch, the first in the lower lanes. `four(i)`: where the i-th begins.
+template <class F>
+inline FloatLanes load_fours(const F& four) {
+#if XSIMD_WITH_AVX512F
+  const __m512 first = _mm512_castps128_ps512(_mm_loadu_ps(four(0)));
+  const __m512 two = _mm512_insertf32x4(first, _mm_loadu_ps(four(1)), 1);
+  return _mm512_insertf32x4(_mm512_insertf32x4(two, _mm_loadu_ps(four(2)), 2), _mm_loadu_ps(four(3)), 3);
+#elif XSIMD_WITH_AVX
+  return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(four(0))), _mm_loadu_ps(four(1)), 1);
+#else
+  return FloatLanes::load_unaligned(four(0));
+#endif
+}
+
 /// Loads the first seven columns of rows of eight floats: lane i gets row `index[i]` of `rows`.
 inline void load_columns(const float (*rows)[8], const std::int32_t* index, FloatLanes (&columns)[7]) {
-#if XSIMD_WITH_SSE2
-  constexpr int kQuarters = static_cast<int>(FloatLanes::size) / 4;
-#if XSIMD_WITH_AVX512F
-  using Raw = __m512;
-  const auto low = [](Raw a, Raw b) { return _mm512_unpacklo_ps(a, b); };
-  const auto high = [](Raw a, Raw b) { return _mm512_unpackhi_ps(a, b); };
-  const auto low_pairs = [](Raw a, Raw b) { return _mm512_shuffle_ps(a, b, 0x44); };
-  const auto high_pairs = [](Raw a, Raw b) { return _mm512_shuffle_ps(a, b, 0xee); };
-  const auto join = [](const __m128(&q)[kQuarters]) {
-    const Raw two = _mm512_insertf32x4(_mm512_castps128_ps512(q[0]), q[1], 1);
-    return _mm512_insertf32x4(_mm512_insertf32x4(two, q[2], 2), q[3], 3);
-  };
-#elif XSIMD_WITH_AVX
-  using Raw = __m256;
-  const auto low = [](Raw a, Raw b) { return _mm256_unpacklo_ps(a, b); };
-  const auto high = [](Raw a, Raw b) { return _mm256_unpackhi_ps(a, b); };
-  const auto low_pairs = [](Raw a, Raw b) { return _mm256_shuffle_ps(a, b, 0x44); };
-  const auto high_pairs = [](Raw a, Raw b) { return _mm256_shuffle_ps(a, b, 0xee); };
-  const auto join = [](const __m128(&q)[kQuarters]) {
-    return _mm256_insertf128_ps(_mm256_castps128_ps256(q[0]), q[1], 1);
-  };
-#else
-  using Raw = __m128;
-  const auto low = [](Raw a, Raw b) { return _mm_unpacklo_ps(a, b); };
-  const auto high = [](Raw a, Raw b) { return _mm_unpackhi_ps(a, b); };
-  const auto low_pairs = [](Raw a, Raw b) { return _mm_shuffle_ps(a, b, 0x44); };
-  const auto high_pairs = [](Raw a, Raw b) { return _mm_shuffle_ps(a, b, 0xee); };
-  const auto join = [](const __m128(&q)[kQuarters]) { return q[0]; };
-#endif
-  // Quarter q of four registers is a square of four rows by four columns, transposed in place.
-  for (std::size_t half = 0; half < 2; ++half) {
-    Raw r[4];
-    for (int i = 0; i < 4; ++i) {
-      __m128 quarters[kQuarters];
-      for (int q = 0; q < kQuarters; ++q) quarters[q] = _mm_loadu_ps(rows[index[4 * q + i]] + 4 * half);
-      r[i] = join(quarters);
-    }
-    const Raw a = low(r[0], r[1]), b = low(r[2], r[3]);
-    const Raw c = high(r[0], r[1]), d = high(r[2], r[3]);
-    columns[4 * half] = low_pairs(a, b);
-    columns[4 * half + 1] = high_pairs(a, b);
-    columns[4 * half + 2] = low_pairs(c, d);
-    if (half == 0) columns[3] = high_pairs(c, d);
+  for (int half = 0; half < 2; ++half) {
+    // Each four lanes of four registers are a square of four rows by four columns, which two zips transpose.
+    const auto row = [&](int i) { return load_fours([&](int q) { return rows[index[4 * q + i]] + 4 * half; }); };
+    const FloatLanes r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
+    const FloatLanes a = zip_low(r0, r2), b = zip_low(r1, r3), c = zip_high(r0, r2), d = zip_high(r1, r3);
+    columns[4 * half] = zip_low(a, b);
+    columns[4 * half + 1] = zip_high(a, b);
+    columns[4 * half + 2] = zip_low(c, d);
+    if (half == 0) columns[3] = zip_high(c, d);
   }
-#else
-  for (int column = 0; column < 7; ++column) {
-    float lanes[FloatLanes::size];
-    for (std::size_t i = 0; i < FloatLanes::size; ++i) lanes[i] = rows[index[i]][column];
-    columns[column] = FloatLanes::load_unaligned(lanes);
-  }
-#endif
 }
 
 }  // namespace tamis::TAMIS_ISA

@@ -1,4 +1,4 @@
-// An array that is not initialized. Filling it with zeros first would take as long as writing it.
+// Memory that is not initialized. Filling it with zeros first would take as long as writing it.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +10,12 @@
 
 namespace tamis {
 
+/// As std::make_unique_for_overwrite, which libc++ has from version 16 on.
+template <class T>
+std::unique_ptr<T> make_raw() {
+  return std::unique_ptr<T>(new T);
+}
+
 /// An array of fixed size whose elements are not initialized.
 template <class T>
 class RawArray {
@@ -17,7 +23,7 @@ class RawArray {
 
  public:
   RawArray() = default;
-  explicit RawArray(std::size_t size) : elements_(std::make_unique_for_overwrite<T[]>(size)), size_(size) {}
+  explicit RawArray(std::size_t size) : elements_(new T[size]), size_(size) {}
 
   std::size_t size() const { return size_; }
   T* data() { return elements_.get(); }

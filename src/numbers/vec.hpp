@@ -1,6 +1,6 @@
 // Vectors over any number type: double, SIMD lanes, double-double, interval, integers.
 #pragma once
-#include "numbers/plain_arithmetic.hpp"
+#include "numbers/platform.hpp"
 
 namespace tamis {
 

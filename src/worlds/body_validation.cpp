@@ -4,6 +4,7 @@
 #include <string>
 
 #include "numbers/finite.hpp"
+#include "numbers/length.hpp"
 #include "numbers/number_text.hpp"
 #include "search/topology/at.hpp"
 #include "tamis/error.hpp"
@@ -31,7 +32,7 @@ bool is_safe(const RigidChain& chain) {
          });
 }
 
-double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+double distance(const Point& a, const Point& b) { return length_of(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 /// REQUIRES: finite poses.
 void refuse_far_turns(const RigidChain& chain, const std::string& name) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "numbers/held_bytes.hpp"
+#include "numbers/raw_array.hpp"
 #include "search/topology/at.hpp"
 
 namespace tamis {
@@ -59,7 +60,7 @@ Mesh Gathered::make_mesh(const BodyList& bodies) {
     items.for_each([&](Index item) {
       for (const Index own : shape.corners_of(item)) used.add(own);
     });
-    const auto here = std::make_unique_for_overwrite<Index[]>(at(shape.mesh.vertex_count()));  // few are used
+    RawArray<Index> here(at(shape.mesh.vertex_count()));  // few are used
     used.for_each([&, body = id](Index own) {
       here[at(own)] = static_cast<Index>(vertices_.size());
       vertices_.push_back({body, own});

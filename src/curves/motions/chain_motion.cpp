@@ -9,6 +9,7 @@
 #include "numbers/axes.hpp"
 #include "numbers/error_bounds.hpp"
 #include "numbers/finite.hpp"
+#include "numbers/length.hpp"
 
 namespace tamis {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 bool turns_far(const RigidLink& link) {
   const auto is_far = [](const Pose& pose) {
     const auto [x, y, z] = pose.rotation;
-    return !is_finite(pose.rotation) || std::hypot(x, y, z) > kLargestRoundedAngle;
+    return !is_finite(pose.rotation) || length_of(x, y, z) > kLargestRoundedAngle;
   };
   return is_far(link.start) || is_far(link.end);
 }

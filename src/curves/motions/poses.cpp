@@ -5,6 +5,7 @@
 
 #include "curves/motions/chain_motion.hpp"
 #include "numbers/floating_point_state.hpp"
+#include "numbers/length.hpp"
 #include "numbers/number_text.hpp"
 #include "search/topology/points.hpp"
 #include "tamis/error.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 /// The rotation vector of the unit quaternion (w, v); (-w, -v) has the same.
 Point rotation_vector(double w, const Point& v) {
-  const double sign = w < 0 ? -1 : 1, sine = std::hypot(v[0], v[1], v[2]);
+  const double sign = w < 0 ? -1 : 1, sine = length_of(v[0], v[1], v[2]);
   const double factor = sign * (sine > 0 ? 2 * std::atan2(sine, sign * w) / sine : 2);
   return {factor * v[0], factor * v[1], factor * v[2]};
 }
@@ -142,7 +143,7 @@ double nlerp_deviation(const Pose& start, const Pose& end) {
   const ComputingState state;
   require_finite(start, end);
   const Point turn = shorter_turn(start, end);
-  const double half = 0.5 * std::hypot(turn[0], turn[1], turn[2]);
+  const double half = 0.5 * length_of(turn[0], turn[1], turn[2]);
   const double sine = std::sin(0.5 * half), square = std::pow(std::cos(0.5 * half), 2);
   return std::sin(half) * sine * sine / (4 * square * square) * (1 + 0x1p-20);
 }

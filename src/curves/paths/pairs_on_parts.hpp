@@ -11,6 +11,7 @@
 
 #include "curves/paths/mesh_moment.hpp"
 #include "numbers/pool.hpp"
+#include "numbers/raw_array.hpp"
 #include "search/kernels/kernels.hpp"
 #include "search/query/pair_vertices.hpp"
 #include "tamis/path.hpp"
@@ -65,7 +66,7 @@ class PairsOnParts {
   std::vector<char> is_given_, may_touch_;  ///< of each pair of the piece
   std::vector<Index> place_;                ///< of each vertex of the mesh among the vertices of a part
   std::vector<PackedVertex> vertices_;      ///< of a half; entries behind these are leftovers of other parts
-  Pool<Scratch> scratch_{[](std::size_t) { return std::make_unique_for_overwrite<Scratch>(); }};
+  Pool<Scratch> scratch_{[](std::size_t) { return make_raw<Scratch>(); }};
 };
 
 }  // namespace tamis

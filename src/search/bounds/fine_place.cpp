@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "numbers/assert.hpp"
@@ -94,7 +95,7 @@ std::size_t sample_size(std::size_t count) {
 std::size_t sample_place(std::size_t count, std::size_t i) {
   const std::size_t size = sample_size(count);
   TAMIS_ASSERT(i < size);
-  return (i - i % 2 + 1) * count / size + i % 2;
+  return static_cast<std::size_t>(std::uint64_t{i - i % 2 + 1} * count / size) + i % 2;
 }
 
 std::optional<FinePlace> place_finer_than(double width, std::span<const SampledVertex> sample) {

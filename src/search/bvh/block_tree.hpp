@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "numbers/held_bytes.hpp"
+#include "numbers/platform.hpp"
 #include "numbers/raw_array.hpp"
 #include "search/bounds/moving_boxes.hpp"
 #include "search/bounds/packed_motion.hpp"
@@ -46,7 +47,7 @@ struct TreeView {
 
 /// True if no feature of leaf block `block` of `a` makes a pair of interest with a feature of block `other` in level
 /// `level` of `b`. Either their groups may not touch, or neither block holds a marked feature.
-[[gnu::always_inline]] inline bool are_excluded(const TreeView& a, int block, const TreeView& b, int level, int other) {
+TAMIS_ALWAYS_INLINE bool are_excluded(const TreeView& a, int block, const TreeView& b, int level, int other) {
   if (a.marked[0] && !a.marked[0][block] && !b.marked[level][other]) return true;
   if (!a.groups.may_touch) return false;
   const std::ptrdiff_t mine = a.groups.of[0][block], theirs = b.groups.of[level][other];

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "numbers/held_bytes.hpp"
+#include "numbers/raw_array.hpp"
 #include "search/engine/feature_trees.hpp"
 #include "search/engine/search_counts.hpp"
 #include "search/query/stopwatch.hpp"
@@ -23,11 +24,11 @@ struct SearchThread {
 
   /// Allocated when first used.
   LaneDecisions decision_lists() {
-    if (!room_) room_ = std::make_unique_for_overwrite<Room>();
+    if (!room_) room_ = make_raw<Room>();
     return room_->lists();
   }
   DecisionScratch& decision_scratch() {
-    if (!scratch_) scratch_ = std::make_unique_for_overwrite<DecisionScratch>();
+    if (!scratch_) scratch_ = make_raw<DecisionScratch>();
     return *scratch_;
   }
   std::uint64_t memory_bytes() const {

@@ -2,8 +2,10 @@
 // separation.
 #pragma once
 #include <algorithm>
+#include <cstring>
 
 #include "numbers/lanes.hpp"
+#include "numbers/platform.hpp"
 #include "pair/motion/time_clip.hpp"
 #include "search/bounds/moving_boxes.hpp"
 #include "search/kernels/kernels.hpp"
@@ -39,13 +41,13 @@ inline FloatLanes later_outlier_margin(const BoxBlock& block, int axis, int firs
 /// The gap of two boxes along an axis: 0 or less if they meet there. `a(k)`, `b(k)`: bound k of the boxes in lanes, the
 /// upper end along the axis at `high` + axis.
 template <class A, class B>
-[[gnu::always_inline]] inline FloatLanes gap_along(int axis, int high, const A& a, const B& b) {
+TAMIS_ALWAYS_INLINE FloatLanes gap_along(int axis, int high, const A& a, const B& b) {
   return max(b(axis) - a(high + axis), a(axis) - b(high + axis));
 }
 
 /// The largest gap of two boxes along x, y and z, of bounds as above, upper ends from 3 on.
 template <class A, class B>
-[[gnu::always_inline]] inline FloatLanes largest_gap(const A& a, const B& b) {
+TAMIS_ALWAYS_INLINE FloatLanes largest_gap(const A& a, const B& b) {
   FloatLanes gap = gap_along(0, 3, a, b);  // cheaper than six masks
   for (int axis = 1; axis < 3; ++axis) gap = max(gap, gap_along(axis, 3, a, b));
   return gap;
@@ -92,7 +94,7 @@ class MovingBoxes {
 
   /// The cheap test: whether the swept boxes meet. Their bounds are off by less than kLaterMargin each.
   template <class A, class B>
-  [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
+  TAMIS_ALWAYS_INLINE auto meet(const A& a, const B& b) const {
     return largest_gap(a, b) <= FloatLanes(2 * kLaterMargin);
   }
 
@@ -147,7 +149,7 @@ class MovingBoxes {
   /// Bounds the swept boxes. `at_limit(at0, at1, the observer's displacement)`: where an end of the boxes is at
   /// t_limit, relative to the observer.
   template <class F>
-  [[gnu::always_inline]] void sweep(const BoxBlock& block, Bounds& bounds, const F& at_limit) const {
+  TAMIS_ALWAYS_INLINE void sweep(const BoxBlock& block, Bounds& bounds, const F& at_limit) const {
     for (int axis = 0; axis < 3; ++axis)
       for_sixteen_lanes([&](int first) {
         const FloatLanes observer(observer_displacement_[axis]);
@@ -194,13 +196,13 @@ class RestBoxes {
 
   void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
     const BoxBlock& block = tree.levels[level][node];
-    __builtin_memcpy(bounds.at, block.low0, sizeof(block.low0));
-    __builtin_memcpy(bounds.at[3], block.high0, sizeof(block.high0));
+    std::memcpy(bounds.at, block.low0, sizeof(block.low0));
+    std::memcpy(bounds.at[3], block.high0, sizeof(block.high0));
   }
 
   /// `a(k)`, `b(k)`: bound k of the boxes in lanes.
   template <class A, class B>
-  [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
+  TAMIS_ALWAYS_INLINE auto meet(const A& a, const B& b) const {
     const FloatLanes zero(0.0f), widened(widened_);
     FloatLanes gap2(0.0f);
     for (int axis = 0; axis < 3; ++axis) {

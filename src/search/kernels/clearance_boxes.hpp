@@ -1,5 +1,8 @@
 // Box test for step lengths where features move little against each other: by boxes at t=0 and residuals alone.
 #pragma once
+#include <cstring>
+
+#include "numbers/platform.hpp"
 #include "search/kernels/reach.hpp"
 
 namespace tamis::TAMIS_ISA {
@@ -16,21 +19,21 @@ class ClearanceBoxes {
 
   void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
     const BoxBlock &boxes = tree.levels[level][node], &residuals = tree.residuals[level][node];
-    __builtin_memcpy(bounds.at, boxes.low0, sizeof(boxes.low0));
-    __builtin_memcpy(bounds.at[kResidual], residuals.low1, sizeof(residuals.low1));
-    __builtin_memcpy(bounds.at[kHigh], boxes.high0, sizeof(boxes.high0));
-    __builtin_memcpy(bounds.at[kHigh + kResidual], residuals.high1, sizeof(residuals.high1));
+    std::memcpy(bounds.at, boxes.low0, sizeof(boxes.low0));
+    std::memcpy(bounds.at[kResidual], residuals.low1, sizeof(residuals.low1));
+    std::memcpy(bounds.at[kHigh], boxes.high0, sizeof(boxes.high0));
+    std::memcpy(bounds.at[kHigh + kResidual], residuals.high1, sizeof(residuals.high1));
   }
 
   template <class A, class B>
-  [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
+  TAMIS_ALWAYS_INLINE auto meet(const A& a, const B& b) const {
     FloatLanes gap2(0.0f);
     for (int axis = 0; axis < 3; ++axis) add_square(gap2, max(gap_along(axis, kHigh, a, b), FloatLanes(0.0f)));
     return gap2 <= FloatLanes(per_residual2_) * greatest_residual2<kResidual, kHigh>(a, b);
   }
 
   template <class A, class B>
-  [[gnu::always_inline]] FloatLanes reach(const A& a, const B& b) const {
+  TAMIS_ALWAYS_INLINE FloatLanes reach(const A& a, const B& b) const {
     return reach_of(FloatLanes(per_residual2_) * greatest_residual2<kResidual, kHigh>(a, b));
   }
 

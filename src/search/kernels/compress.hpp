@@ -1,5 +1,8 @@
 // Stream compaction: writes the lanes that a mask names to consecutive places, and pairs with their times.
 #pragma once
+#include <array>
+#include <cstdint>
+
 #include "numbers/lanes.hpp"
 #include "pair/motion/time_clip.hpp"
 #include "search/kernels/kernels.hpp"
@@ -16,6 +19,17 @@ inline constexpr auto kBitPositions = [] {
       if (mask >> bit & 1) table[mask] |= std::uint64_t{bit} << (8 * count++);
   return table;
 }();
+#elif XSIMD_WITH_NEON64 || XSIMD_WITH_WASM
+/// [mask]: the bytes of the lanes of its bits, lowest first. Behind them 255, which stands for zero.
+inline constexpr auto kBytesOfLanes = [] {
+  std::array<std::array<std::uint8_t, 16>, 16> table{};
+  for (auto& order : table) order.fill(255);
+  for (unsigned mask = 0; mask < 16; ++mask)
+    for (unsigned lane = 0, count = 0; lane < 4; ++lane)
+      if (mask >> lane & 1)
+        for (unsigned byte = 0; byte < 4; ++byte) table[mask][count++] = static_cast<std::uint8_t>(4 * lane + byte);
+  return table;
+}();
 #endif
 
 /// Writes the lanes of `mask` to consecutive places from `to` on. A whole batch may be written: after them comes some
@@ -30,6 +44,13 @@ inline void store_compressed(unsigned mask, const xsimd::batch<T, Arch>& lanes, 
   const __m256i raw = same_bits<std::int32_t>(lanes);
   const __m256i order = _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(&kBitPositions[mask])));
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(raw, order));
+#elif XSIMD_WITH_NEON64
+  const uint8x16_t raw = vreinterpretq_u8_s32(same_bits<std::int32_t>(lanes));
+  vst1q_s32(reinterpret_cast<std::int32_t*>(to),
+            vreinterpretq_s32_u8(vqtbl1q_u8(raw, vld1q_u8(kBytesOfLanes[mask].data()))));
+#elif XSIMD_WITH_WASM
+  const v128_t raw = same_bits<std::int32_t>(lanes);
+  wasm_v128_store(to, wasm_i8x16_swizzle(raw, wasm_v128_load(kBytesOfLanes[mask].data())));
 #else
   alignas(64) T all[IntLanes::size];
   lanes.store_aligned(all);
@@ -45,7 +66,7 @@ inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count
   for_sixteen_lanes([&](int lane) {
     const unsigned some = mask >> lane & ((1u << kFloatLanes) - 1);
     store_compressed(some, counting_from(first + lane), list + count);
-    count += __builtin_popcount(some);
+    count += count_bits(some);
   });
 }
 
@@ -84,7 +105,7 @@ inline int store_pairs(unsigned mask, const PairBuffer& in, int first, const Tim
   store_corners<corners>(mask, in, first, out, to);
   store_compressed(mask, time.t_in, out.t_in + to);
   store_compressed(mask, time.t_out, out.t_out + to);
-  return __builtin_popcount(mask);
+  return count_bits(mask);
 }
 
 }  // namespace tamis::TAMIS_ISA

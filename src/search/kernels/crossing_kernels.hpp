@@ -29,7 +29,7 @@ int filter(const MotionView& motion, const PairBuffer& in, PairBuffer& out) {
     const auto m = restrict_to(load_motion<kind, course>(motion.vertices, in, first), time.t_in, time.t_out);
     unsigned left = lanes_in_use(in, first) & ~bits(Dnf::proves_free<kind>(m));
     if (!left) continue;
-    ncf_count += __builtin_popcount(left);
+    ncf_count += count_bits(left);
     left &= ~bits(Ncf::proves_free<kind>(m));
     for_each_bit(left, [&](int lane) { copy_pair(in, first + lane, out); });
   }

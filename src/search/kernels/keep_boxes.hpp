@@ -1,17 +1,20 @@
 // Box test for step lengths. Finds the moving boxes in which features may come nearer than the fraction of their
 // distance that they must keep.
 #pragma once
+#include <cstring>
+
+#include "numbers/platform.hpp"
 #include "search/kernels/reach.hpp"
 
 namespace tamis::TAMIS_ISA {
 
 /// size^2 of ClearanceBounds for two boxes, and the bound of clearance^2.
-[[gnu::always_inline]] inline FloatLanes size2(const ClearanceBounds& bounds, const FloatLanes& residual2,
-                                               const FloatLanes& farthest2) {
+TAMIS_ALWAYS_INLINE FloatLanes size2(const ClearanceBounds& bounds, const FloatLanes& residual2,
+                                     const FloatLanes& farthest2) {
   return FloatLanes(bounds.stretch2) * farthest2 + residual2;
 }
-[[gnu::always_inline]] inline FloatLanes clearance2(const ClearanceBounds& bounds, const FloatLanes& residual2,
-                                                    const FloatLanes& size2) {
+TAMIS_ALWAYS_INLINE FloatLanes clearance2(const ClearanceBounds& bounds, const FloatLanes& residual2,
+                                          const FloatLanes& size2) {
   return FloatLanes(bounds.per_residual2) * residual2 + FloatLanes(bounds.per_size2) * size2 +
          FloatLanes(bounds.fixed2);
 }
@@ -47,13 +50,13 @@ class KeepBoxes {
         (t_limit_ < 1 ? l0 + t * (l1 - l0) - margin : l1).store_aligned(bounds.at[3 + axis] + first);
         (t_limit_ < 1 ? h0 + t * (h1 - h0) + margin : h1).store_aligned(bounds.at[kHigh + 3 + axis] + first);
       });
-    __builtin_memcpy(bounds.at[kResidual], residuals.low1, sizeof(residuals.low1));
-    __builtin_memcpy(bounds.at[kHigh + kResidual], residuals.high1, sizeof(residuals.high1));
+    std::memcpy(bounds.at[kResidual], residuals.low1, sizeof(residuals.low1));
+    std::memcpy(bounds.at[kHigh + kResidual], residuals.high1, sizeof(residuals.high1));
   }
 
   /// `a(k)`, `b(k)`: bound k of the boxes in lanes.
   template <class A, class B>
-  [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
+  TAMIS_ALWAYS_INLINE auto meet(const A& a, const B& b) const {
     const FloatLanes residual2 = greatest_residual2<kResidual, kHigh>(a, b);
     FloatLanes gap2(0.0f), farthest2(0.0f), first2(0.0f), second2(0.0f);
     for (int axis = 0; axis < 3; ++axis) {
@@ -79,7 +82,7 @@ class KeepBoxes {
 
   /// How far apart along each axis features in the boxes can be at t=0 and still end the step.
   template <class A, class B>
-  [[gnu::always_inline]] FloatLanes reach(const A& a, const B& b) const {
+  TAMIS_ALWAYS_INLINE FloatLanes reach(const A& a, const B& b) const {
     const FloatLanes residual2 = greatest_residual2<kResidual, kHigh>(a, b);
     FloatLanes farthest2(0.0f);
     for (int axis = 0; axis < 3; ++axis)
@@ -95,7 +98,7 @@ class KeepBoxes {
   /// Calls f(gap at t=0, gap at t_limit) for both sides of an axis. A gap is the difference of two points that move
   /// linearly.
   template <class A, class B, class F>
-  [[gnu::always_inline]] static void for_each_side(int axis, const A& a, const B& b, const F& f) {
+  TAMIS_ALWAYS_INLINE static void for_each_side(int axis, const A& a, const B& b, const F& f) {
     f(b(axis) - a(kHigh + axis), b(3 + axis) - a(kHigh + 3 + axis));
     f(a(axis) - b(kHigh + axis), a(3 + axis) - b(kHigh + 3 + axis));
   }

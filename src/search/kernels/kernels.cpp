@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "numbers/platform.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
@@ -25,14 +26,10 @@ namespace {
 const Kernels* kernels_if_here(Isa isa) {
   switch (isa) {
 #ifdef TAMIS_X86_KERNELS
-    case Isa::avx512: {
-      const bool is_here = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
-                           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
-                           __builtin_cpu_supports("avx512vl");
-      return is_here ? &avx512::kKernels : nullptr;
-    }
+    case Isa::avx512:
+      return has_avx512() ? &avx512::kKernels : nullptr;
     case Isa::avx2:
-      return __builtin_cpu_supports("avx2") ? &avx2::kKernels : nullptr;
+      return has_avx2() ? &avx2::kKernels : nullptr;
 #else
     case Isa::avx512:
     case Isa::avx2:

@@ -2,8 +2,10 @@
 // against the sixteen of another block. Rows without pairs are removed stage by stage, without branches on which boxes
 // meet. No processor could predict such branches.
 #pragma once
+#include <bit>
 #include <utility>
 
+#include "numbers/platform.hpp"
 #include "search/kernels/reach.hpp"
 #include "search/kernels/row_pairs.hpp"
 
@@ -27,7 +29,7 @@ struct MetLeaf {
 
 /// Bits of sixteen lanes whose boxes may meet. `a(k, first)`, `b(k, first)`: bound k of the boxes from lane `first` on.
 template <class Boxes, class A, class B>
-[[gnu::always_inline]] inline unsigned lanes_that_meet(const Boxes& boxes, const A& a, const B& b) {
+TAMIS_ALWAYS_INLINE unsigned lanes_that_meet(const Boxes& boxes, const A& a, const B& b) {
   return bits_of_sixteen(
       [&](int first) { return boxes.meet([&](int k) { return a(k, first); }, [&](int k) { return b(k, first); }); });
 }
@@ -103,7 +105,7 @@ class LeafRows {
   void fetch(int block) const {
     const auto fetch_all = [](const auto& of_block) {
       for (std::size_t byte = 0; byte < sizeof(of_block); byte += 64)
-        __builtin_prefetch(reinterpret_cast<const char*>(&of_block) + byte);
+        prefetch(reinterpret_cast<const char*>(&of_block) + byte);
     };
     fetch_all(search_.b.levels[0][block]);
     fetch_all(search_.b.corners[block]);
@@ -120,7 +122,7 @@ class LeafRows {
     if (leaf.test != Test::some_time || (RowPairs<kind, course>::kIsSelf && leaf.block == block_)) return;
     const unsigned theirs = boxes_.meet_at_some_time(search_.a.levels[1][block_ / kBlock], block_ % kBlock,
                                                      search_.b.levels[0][leaf.block]);
-    if (__builtin_popcount(theirs) >= __builtin_popcount(leaf.rows)) return;
+    if (std::popcount(theirs) >= std::popcount(leaf.rows)) return;
     leaf.rows = theirs;
     leaf.test = Test::some_time_of_theirs;
   }
@@ -158,7 +160,7 @@ class LeafRows {
   int keep_near_rows(int count) {
     const int near = keep_rows(0, count, 0, [&](int i) { return others_within_reach(rows_[i]); });
     return keep_rows(0, near, 0, [&](int i) {
-      if (__builtin_popcount(found_[i]) <= kFew) return found_[i];
+      if (std::popcount(found_[i]) <= kFew) return found_[i];
       bound(static_cast<int>(place_of(rows_[i])));
       return found_[i] & others_that_meet<One::mine>(rows_[i]);
     });

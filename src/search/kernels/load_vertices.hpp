@@ -54,11 +54,8 @@ inline Vec3<DoubleLanes> load_vertices_at(Vertices vertices, bool at_end, const 
 #endif
 #else
   const double *row0 = position(vertices, index[0], at_end), *row1 = position(vertices, index[1], at_end);
-  const auto column = [&](int k) {
-    const double lanes[kDoubleLanes] = {row0[k], row1[k]};
-    return DoubleLanes::load_unaligned(lanes);
-  };
-  return {column(0), column(1), column(2)};
+  const DoubleLanes xy0 = DoubleLanes::load_unaligned(row0), xy1 = DoubleLanes::load_unaligned(row1);
+  return {xsimd::zip_lo(xy0, xy1), xsimd::zip_hi(xy0, xy1), DoubleLanes{row0[2], row1[2]}};
 #endif
 }
 

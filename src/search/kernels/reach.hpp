@@ -1,16 +1,17 @@
 // Reach: how far apart features in two boxes can be at t=0 and still end the step, by their residuals. Also finds the
 // boxes within that reach.
 #pragma once
+#include "numbers/platform.hpp"
 #include "search/kernels/box_overlap.hpp"
 
 namespace tamis::TAMIS_ISA {
 
-[[gnu::always_inline]] inline void add_square(FloatLanes& sum, const FloatLanes& x) { sum = sum + x * x; }
+TAMIS_ALWAYS_INLINE void add_square(FloatLanes& sum, const FloatLanes& x) { sum = sum + x * x; }
 
 /// The square of the largest difference of two boxes' residuals. `a(k)`, `b(k)`: bound k of the boxes in lanes; lower
 /// ends of residuals are from `residual` on, upper ends `high` behind the lower ones.
 template <int residual, int high, class A, class B>
-[[gnu::always_inline]] inline FloatLanes greatest_residual2(const A& a, const B& b) {
+TAMIS_ALWAYS_INLINE FloatLanes greatest_residual2(const A& a, const B& b) {
   FloatLanes residual2(0.0f);
   for (int k = residual; k < residual + 3; ++k)
     add_square(residual2, max(max(b(high + k) - a(k), a(high + k) - b(k)), FloatLanes(0.0f)));
@@ -18,7 +19,7 @@ template <int residual, int high, class A, class B>
 }
 
 /// The reach along an axis, rounded up, of features with at most this clearance^2.
-[[gnu::always_inline]] inline FloatLanes reach_of(const FloatLanes& clearance2) {
+TAMIS_ALWAYS_INLINE FloatLanes reach_of(const FloatLanes& clearance2) {
   return xsimd::sqrt(clearance2) * FloatLanes(1 + 0x1p-20f);
 }
 

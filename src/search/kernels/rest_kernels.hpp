@@ -30,7 +30,7 @@ template <PairKind kind>
 void find_within_at_rest(const MotionView& motion, const PairBuffer& in, PairBuffer& near, PairBuffer& unsure) {
   const auto append = [&](int first, unsigned lanes, PairBuffer& to) {
     store_corners(lanes, in, first, to, to.count);
-    to.count += __builtin_popcount(lanes);
+    to.count += count_bits(lanes);
   };
   near.count = unsure.count = 0;
   for (int first = 0; first < in.count; first += kFloatLanes) {

@@ -71,7 +71,7 @@ class RowPairs {
       }
       FloatLanes(0.0f).store_unaligned(pairs.t_in + pairs.count);
       FloatLanes(t_limit).store_unaligned(pairs.t_out + pairs.count);
-      pairs.count += __builtin_popcount(mask);
+      pairs.count += count_bits(mask);
     });
   }
 

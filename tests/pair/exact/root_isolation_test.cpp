@@ -17,6 +17,7 @@ namespace {
 
 using oracle::Rational;
 using scenes::Random;
+using test::to_oracle;
 
 oracle::Polynomial to_oracle(const IntegerPolynomial& p) {
   std::vector<oracle::Integer> powers;

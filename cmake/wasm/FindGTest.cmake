@@ -1,0 +1,12 @@
+# GoogleTest from its source (Debian: googletest).
+find_path(TAMIS_GTEST_SOURCE googletest/src/gtest-all.cc PATHS /usr/src/googletest NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
+mark_as_advanced(TAMIS_GTEST_SOURCE)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(GTest REQUIRED_VARS TAMIS_GTEST_SOURCE)
+if(GTest_FOUND AND NOT TARGET GTest::gtest)
+  add_library(tamis_gtest STATIC ${TAMIS_GTEST_SOURCE}/googletest/src/gtest-all.cc ${TAMIS_GTEST_SOURCE}/googletest/src/gtest_main.cc)
+  target_compile_features(tamis_gtest PUBLIC cxx_std_20)
+  target_include_directories(tamis_gtest SYSTEM PUBLIC ${TAMIS_GTEST_SOURCE}/googletest/include PRIVATE ${TAMIS_GTEST_SOURCE}/googletest)
+  add_library(GTest::gtest ALIAS tamis_gtest)
+  add_library(GTest::gtest_main ALIAS tamis_gtest)
+endif()

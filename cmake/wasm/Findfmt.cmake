@@ -1,0 +1,12 @@
+# fmt without its library.
+set(fmt_header ${TAMIS_WASM_HEADERS}/fmt/format.h)
+if(NOT EXISTS ${fmt_header})
+  set(fmt_header)
+endif()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(fmt REQUIRED_VARS fmt_header)
+if(fmt_FOUND AND NOT TARGET fmt::fmt)
+  add_library(fmt::fmt INTERFACE IMPORTED GLOBAL)
+  target_include_directories(fmt::fmt INTERFACE ${TAMIS_WASM_HEADERS})
+  target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
+endif()

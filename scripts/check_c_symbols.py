@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """check_c_symbols.py LIBRARY HEADERS: checks that the library exports exactly the functions of the folder's headers.
 
-All symbols must have the library's version; a DLL has it in its name alone. An additional symbol may replace another library's in a program that loads
-this one; a missing symbol is a function that cannot be called.
+All symbols must have the library's version; a DLL has it in its name alone. An additional symbol may replace another
+library's in a program that loads this one; a missing symbol is a function that cannot be called.
 """
 import pathlib
 import re
@@ -16,8 +16,9 @@ def lines_of(*command: str) -> list[str]:
 
 def exported_by(library: str) -> set[str]:
     if library.endswith(".dll"):
-        names = lines_of("objdump", "--private-headers", library)
-        return {match[1] for line in names if (match := re.search(r"^\s*\[\s*\d+\] \+base\[\s*\d+\]\s+(?:[0-9a-f]{4} )?(\w+)$", line))}
+        # Binutils before 2.41 write "[ 0] name", later ones "[ 0] +base[ 1] 0000 name".
+        line = re.compile(r"\s*\[\s*\d+\](?: \+base\[\s*\d+\]\s+[0-9a-f]+)? (\w+)")
+        return {match[1] for match in map(line.fullmatch, lines_of("objdump", "--private-headers", library)) if match}
     names = lines_of("nm", "--dynamic", "--defined-only", "--with-symbol-versions", library)
     return {line.split(" ", 2)[2] for line in names if " A " not in line}
 

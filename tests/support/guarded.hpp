@@ -2,8 +2,12 @@
 #pragma once
 #if defined(_WIN32)
 #define WIN32_LEAN_AND_MEAN
+#if !defined(NOMINMAX)  // MinGW defines it itself
 #define NOMINMAX
+#endif
 #include <windows.h>
+#undef near
+#undef far
 #else
 #include <sys/mman.h>
 #include <unistd.h>

@@ -1,5 +1,7 @@
 #define WIN32_LEAN_AND_MEAN
+#if !defined(NOMINMAX)  // MinGW defines it itself
 #define NOMINMAX
+#endif
 #define PSAPI_VERSION 2  // GetProcessMemoryInfo from kernel32
 #include <windows.h>
 // After windows.h, which they need.

@@ -1,5 +1,4 @@
 # Imports the libraries of an existing build, whose folder is TAMIS_BUILT, instead of building them.
-find_package(GMP REQUIRED)
 
 function(built_library name path)
   if(NOT EXISTS ${TAMIS_BUILT}/${path})
@@ -10,7 +9,7 @@ function(built_library name path)
   target_include_directories(${name} INTERFACE ${TAMIS_INCLUDES} ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(${name} INTERFACE ${ARGN})
 endfunction()
-built_library(tamis::tamis src/libtamis.a ${TAMIS_THREADS} GMP::gmp)
+built_library(tamis::tamis src/libtamis.a ${TAMIS_THREADS})
 if(TAMIS_BUILD_FUZZERS)
   built_library(tamis_yardstick tests/support/yardstick/libtamis_yardstick.a tamis::tamis)
   target_include_directories(tamis_yardstick INTERFACE ${PROJECT_SOURCE_DIR}/tests)
@@ -24,7 +23,7 @@ find_package(ZLIB REQUIRED)
 find_library(B64_LIBRARY b64 REQUIRED)
 built_library(tamis_audit tools/audit/libtamis_audit.a tamis::tamis)
 built_library(tamis_mesh_files tools/files/mesh/libtamis_mesh_files.a tamis::tamis fmt::fmt)
-built_library(tamis_io tools/files/libtamis_io.a tamis_mesh_files tamis_audit GMP::gmp ZLIB::ZLIB ${B64_LIBRARY})
+built_library(tamis_io tools/files/libtamis_io.a tamis_mesh_files tamis_audit ZLIB::ZLIB ${B64_LIBRARY})
 built_library(tamis_scenes tools/scenes/libtamis_scenes.a tamis::tamis)
 built_library(tamis_simulation tools/scenes/simulation/libtamis_simulation.a
   tamis_io tamis_scenes Eigen3::Eigen meshoptimizer::meshoptimizer)

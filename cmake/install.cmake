@@ -31,6 +31,6 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/tamis-config-version.cmak
 configure_package_config_file(cmake/tamis-config.cmake.in ${PROJECT_BINARY_DIR}/tamis-config.cmake
   INSTALL_DESTINATION ${TAMIS_PACKAGE_DIR})
 install(FILES ${PROJECT_BINARY_DIR}/tamis-config.cmake ${PROJECT_BINARY_DIR}/tamis-config-version.cmake
-  cmake/FindGMP.cmake DESTINATION ${TAMIS_PACKAGE_DIR})
+  DESTINATION ${TAMIS_PACKAGE_DIR})
 include(cmake/pkg_config.cmake)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,13 +1,12 @@
-# tamis_requires(package version how): finds a package of at least this version; `how` says how to get it. Stops with one
-# sentence if it is missing or too old. (find_package's own check of versions refuses a newer major version of many packages.)
-macro(tamis_requires package version how)
+# tamis_requires(package version variable how): finds a package of at least this version. `variable` says where it is, `how` how to
+# get it. Stops with one sentence if it is missing or too old. (find_package's own check refuses newer major versions of many.)
+macro(tamis_requires package version variable how)
   find_package(${package} QUIET)
   if(NOT ${package}_FOUND)
-    message(FATAL_ERROR "tamis: ${package} ${version} or newer is missing: ${how}, or give -D ${package}_DIR=FOLDER, where "
-      "its file for CMake is")
+    message(FATAL_ERROR "tamis: ${package} ${version} or newer is missing: ${how}, or give -D ${variable}=FOLDER")
   elseif(${package}_VERSION VERSION_LESS ${version})
-    message(FATAL_ERROR "tamis: ${package} in ${${package}_DIR} is version ${${package}_VERSION}, but Tamis needs ${version} or newer: "
-      "${how}, or give -D ${package}_DIR=FOLDER of a newer one")
+    message(FATAL_ERROR "tamis: ${package} in ${${variable}} is version ${${package}_VERSION}, but Tamis needs ${version} or newer: "
+      "${how}, or give -D ${variable}=FOLDER of a newer one")
   endif()
 endmacro()
 

@@ -6,9 +6,8 @@ cd "$(dirname "$0")/.."
 
 apt-get update -q
 DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends g++ cmake make libxsimd-dev libboost-dev
-begin=$SECONDS
-cmake -S tests/consumer/from_source -B build/from_source
-cmake --build build/from_source --parallel "$(nproc)"
-built=$((SECONDS - begin))
+time {
+  cmake -S tests/consumer/from_source -B build/from_source
+  cmake --build build/from_source --parallel "$(nproc)"
+}
 build/from_source/simulator | diff examples/output/hello.cpp.txt -
-echo "build_from_source: $built seconds"

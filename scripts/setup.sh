@@ -16,7 +16,7 @@ cd "$(dirname "$0")/.."
 clang=(clang libclang-rt-dev)
 release=$(. /etc/os-release 2>/dev/null && echo "${VERSION_CODENAME-}")
 [[ $release != bookworm ]] || clang=(clang-14 libclang-rt-14-dev)
-packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
+packages=(g++ cmake ninja-build pkg-config libtbb-dev libboost-dev libxsimd-dev
           libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev libb64-dev)
 case ${1:-} in
   --core-tests) packages+=(libgtest-dev python3 binutils git) ;;

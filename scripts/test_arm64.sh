@@ -19,7 +19,7 @@ download() {
   rm -rf "$packages" && mkdir -p "$packages"/{lists/partial,cache/archives/partial,archives}
   "${apt[@]}" update -q || return
   (cd "$packages/archives" && "${apt[@]}" download -q \
-    libxsimd-dev libtbb-dev libtbb12 libtbbmalloc2 libtbbbind-2-5 libhwloc15 libudev1 libgmp-dev libgmp10 libgmpxx4ldbl libfmt-dev "$fmt" \
+    libxsimd-dev libtbb-dev libtbb12 libtbbmalloc2 libtbbbind-2-5 libhwloc15 libudev1 libfmt-dev "$fmt" \
     libmeshoptimizer-dev libmeshoptimizer2d zlib1g-dev zlib1g libb64-dev libb64-0d libgtest-dev) || return
   for package in "$packages"/archives/*.deb; do dpkg-deb -x "$package" "$packages"; done
   touch "$packages/complete"

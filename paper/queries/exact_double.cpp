@@ -1,8 +1,8 @@
 #include "paper/queries/exact_double.hpp"
 
-#include <gmpxx.h>
-
+#include <algorithm>
 #include <bit>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -12,9 +12,18 @@
 namespace tamis::lab {
 namespace {
 
+using boost::multiprecision::cpp_int, boost::multiprecision::cpp_rational;
+
 bool is_integer(std::string_view word) {
   if (!word.empty() && word[0] == '-') word.remove_prefix(1);
   return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// REQUIRES: is_integer(word). A leading zero would mean octal.
+cpp_int integer_of(std::string_view word) {
+  const auto digits = word.substr(std::min(word.find_first_not_of("-0"), word.size()));
+  const cpp_int size(digits.empty() ? "0" : std::string(digits));
+  return word[0] == '-' ? cpp_int(-size) : size;
 }
 
 /// The common case: both fit in machine words and the division is exact.
@@ -32,14 +41,11 @@ std::optional<double> small_fraction(std::string_view numerator, std::string_vie
 std::optional<double> exact_double(std::string_view numerator, std::string_view denominator) {
   if (const auto value = small_fraction(numerator, denominator)) return value;
   if (!is_integer(numerator) || !is_integer(denominator)) return std::nullopt;
-  // Base 10 is given because by default a leading zero would mean octal.
-  mpq_class fraction(mpz_class(std::string(numerator), 10), mpz_class(std::string(denominator), 10));
-  if (fraction.get_den() == 0) return std::nullopt;
-  fraction.canonicalize();
-  // Values beyond the largest double do not survive get_d(). Others are truncated by it, hence the comparison.
-  if (mpz_sizeinbase(fraction.get_num_mpz_t(), 2) > 1024) return std::nullopt;
-  const double value = fraction.get_d();
-  if (!std::isfinite(value) || mpq_class(value) != fraction) return std::nullopt;
+  const cpp_int n = integer_of(numerator), d = integer_of(denominator);
+  if (d == 0) return std::nullopt;
+  const cpp_rational fraction(n, d);
+  const auto value = static_cast<double>(fraction);  // the nearest double, hence the comparison
+  if (!std::isfinite(value) || fraction != value) return std::nullopt;
   return value;
 }
 

@@ -29,11 +29,11 @@ ApproximatePolynomial::Value ApproximatePolynomial::near(double t) const {
   int time_exponent = 0;
   const double time = std::frexp(t, &time_exponent);
   double terms[IntegerPolynomial::kMaxDegree + 1], power = 1;
-  long exponents[IntegerPolynomial::kMaxDegree + 1], highest = LONG_MIN;
+  int exponents[IntegerPolynomial::kMaxDegree + 1], highest = INT_MIN;
   for (int i = 0; i <= degree_; ++i, power *= time) {
     const WideDouble& c = powers_[static_cast<std::size_t>(i)];
     terms[i] = c.mantissa * power;
-    exponents[i] = c.exponent + long{time_exponent} * i;
+    exponents[i] = c.exponent + time_exponent * i;
     if (c.mantissa != 0) highest = std::max(highest, exponents[i]);
   }
   double sum = 0, size = 0;

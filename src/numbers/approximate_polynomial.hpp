@@ -14,7 +14,7 @@ class ApproximatePolynomial {
   /// value 2^exponent, off by at most error 2^exponent.
   struct Value {
     double value = 0, error = 0;
-    long exponent = 0;
+    int exponent = 0;
     /// 0 if not certain.
     int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
   };

@@ -6,23 +6,26 @@
 namespace tamis {
 namespace {
 
-constexpr std::uint64_t kPrime = (std::uint64_t{1} << 61) - 1;
+constexpr std::uint64_t kPrime = (std::uint64_t{1} << 31) - 1;
 
-std::uint64_t times(std::uint64_t a, std::uint64_t b) {
-  __extension__ using Wide = unsigned __int128;
-  const Wide product = Wide{a} * b;
-  const std::uint64_t sum = static_cast<std::uint64_t>(product & kPrime) + static_cast<std::uint64_t>(product >> 61);
-  return sum >= kPrime ? sum - kPrime : sum;
-}
-
+std::uint64_t times(std::uint64_t a, std::uint64_t b) { return a * b % kPrime; }
 std::uint64_t minus(std::uint64_t a, std::uint64_t b) { return a >= b ? a - b : a + kPrime - b; }
+
+/// 2^62 is 1 modulo kPrime. So the residue is the sum of the digits of 62 bits.
+std::uint64_t residue(const Integer& a) {
+  constexpr int kDigit = 62;
+  std::uint64_t sum = 0;
+  for (int first = 0; first < a.bits(); first += kDigit)
+    sum = (sum + (a.bits_from(first) & ((std::uint64_t{1} << kDigit) - 1))) % kPrime;
+  return a.sign() < 0 ? minus(0, sum) : sum;
+}
 
 struct Residues {
   std::array<std::uint64_t, IntegerPolynomial::kMaxDegree + 1> powers{};
   int degree = -1;
 
   explicit Residues(const IntegerPolynomial& p) : degree(p.degree()) {
-    for (int i = 0; i <= degree; ++i) at(i) = mpz_fdiv_ui(p[i].get(), kPrime);
+    for (int i = 0; i <= degree; ++i) at(i) = residue(p[i]);
   }
   std::uint64_t& at(int i) { return powers[static_cast<std::size_t>(i)]; }
   bool has_lost_degree() { return at(degree) == 0; }

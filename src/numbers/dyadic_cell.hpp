@@ -7,7 +7,7 @@ namespace tamis {
 
 struct DyadicCell {
   Integer n{0};
-  unsigned long k = 0;
+  int k = 0;
 
   DyadicCell left_half() const { return {n << 1, k + 1}; }
   DyadicCell right_half() const { return {(n << 1) + 1, k + 1}; }

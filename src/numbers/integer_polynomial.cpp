@@ -14,11 +14,11 @@ void IntegerPolynomial::find_degree(int at_most) {
 
 Integer IntegerPolynomial::scaled_value(const DyadicCell& t) const {
   if (is_zero()) return 0;
-  if (t.n.sign() == 0) return (*this)[0] << (t.k * static_cast<unsigned long>(degree_));
+  if (t.n.sign() == 0) return (*this)[0] << (t.k * degree_);
   Integer value = (*this)[degree_];
   for (int i = degree_ - 1; i >= 0; --i) {
     value *= t.n;
-    value += (*this)[i] << (t.k * static_cast<unsigned long>(degree_ - i));
+    value += (*this)[i] << (t.k * (degree_ - i));
   }
   return value;
 }
@@ -52,7 +52,7 @@ void IntegerPolynomial::shift_by(const Integer& n) {
 IntegerPolynomial IntegerPolynomial::on(const DyadicCell& cell) const {
   IntegerPolynomial p = *this;
   if (cell.k > 0)
-    for (int i = 0; i < degree_; ++i) p.at(i) <<= cell.k * static_cast<unsigned long>(degree_ - i);
+    for (int i = 0; i < degree_; ++i) p.at(i) <<= cell.k * (degree_ - i);
   if (cell.n.sign() != 0) p.shift_by(cell.n);
   return p;
 }
@@ -93,7 +93,7 @@ IntegerPolynomial IntegerPolynomial::derivative() const {
 void IntegerPolynomial::divide_by_content() {
   Integer content;
   for (int i = 0; i <= degree_; ++i) content = greatest_common_divisor(content, at(i));
-  for (int i = 0; i <= degree_; ++i) at(i) = exact_quotient(at(i), content);
+  for (int i = 0; i <= degree_; ++i) at(i) = quotient(at(i), content);
 }
 
 void IntegerPolynomial::reduce_modulo(const IntegerPolynomial& b) {
@@ -125,13 +125,13 @@ IntegerPolynomial greatest_common_divisor(IntegerPolynomial a, IntegerPolynomial
 }
 
 IntegerPolynomial IntegerPolynomial::divided_exactly_by(const IntegerPolynomial& b) const {
-  IntegerPolynomial rest = *this, quotient;
+  IntegerPolynomial rest = *this, result;
   for (int shift = degree_ - b.degree_; shift >= 0; --shift) {
-    quotient.at(shift) = exact_quotient(rest[shift + b.degree_], b[b.degree_]);
-    for (int i = 0; i <= b.degree_; ++i) rest.at(shift + i) -= quotient[shift] * b[i];
+    result.at(shift) = quotient(rest[shift + b.degree_], b[b.degree_]);
+    for (int i = 0; i <= b.degree_; ++i) rest.at(shift + i) -= result[shift] * b[i];
   }
-  quotient.degree_ = degree_ - b.degree_;
-  return quotient;
+  result.degree_ = degree_ - b.degree_;
+  return result;
 }
 
 IntegerPolynomial IntegerPolynomial::squarefree_part() const {

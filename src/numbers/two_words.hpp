@@ -18,8 +18,8 @@ struct TwoWords {
 
   bool operator==(const TwoWords&) const = default;
   TAMIS_ALWAYS_INLINE friend TwoWords operator+(TwoWords a, TwoWords b) {
-    const std::uint64_t low = a.low + b.low;
-    return {low, a.high + b.high + (low < a.low)};
+    const std::uint64_t sum = a.low + b.low;
+    return {sum, a.high + b.high + (sum < a.low)};
   }
   TAMIS_ALWAYS_INLINE friend TwoWords operator-(TwoWords a) { return {0 - a.low, ~a.high + (a.low == 0)}; }
   TAMIS_ALWAYS_INLINE friend TwoWords operator*(TwoWords a, TwoWords b) {

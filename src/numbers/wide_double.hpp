@@ -7,36 +7,33 @@
 #include <limits>
 
 #include "numbers/assert.hpp"
-#include "numbers/integer.hpp"
 
 namespace tamis {
 
+class Integer;
+
 /// x 2^exponent, with the exponent cut to [-900, 900]. A term below 2^-900 of the rest of a sum does not count. Nor
 /// does it matter how far a term is above 2^900 of the rest.
-inline double times_power_of_two(double x, long exponent) {
-  constexpr long kBias = 1023, kMantissaBits = 52;
-  const auto biased = static_cast<std::uint64_t>(kBias + std::clamp(exponent, -900L, 900L));
+inline double times_power_of_two(double x, int exponent) {
+  constexpr int kBias = 1023, kMantissaBits = 52;
+  const auto biased = static_cast<std::uint64_t>(kBias + std::clamp(exponent, -900, 900));
   return x * std::bit_cast<double>(biased << kMantissaBits);
 }
 
 /// mantissa 2^exponent. Operations on positive numbers are off by at most 2^-51 of the result.
 struct WideDouble {
   double mantissa = 0;
-  long exponent = 0;
+  int exponent = 0;
 
   /// Cut, not rounded: off by less than 2 u of itself.
-  static WideDouble of(const Integer& a) {
-    WideDouble result;
-    if (a.sign() != 0) result.mantissa = mpz_get_d_2exp(&result.exponent, a.get());
-    return result;
-  }
+  static WideDouble of(const Integer& a);
   static WideDouble of(double a) {
     int exponent = 0;
     const double mantissa = std::frexp(a, &exponent);
     return {mantissa, exponent};
   }
 
-  WideDouble times_two_to(long power) const { return {mantissa, exponent + power}; }
+  WideDouble times_two_to(int power) const { return {mantissa, exponent + power}; }
   /// REQUIRES: 0 <= mantissa < 4, as the other operations leave it.
   WideDouble root() const {
     TAMIS_ASSERT(0 <= mantissa && mantissa < 4);
@@ -51,7 +48,7 @@ struct WideDouble {
     return {a.mantissa + times_power_of_two(b.mantissa, b.exponent - a.exponent), a.exponent};
   }
 
-  double value() const { return std::ldexp(mantissa, static_cast<int>(std::clamp(exponent, -5000L, 5000L))); }
+  double value() const { return std::ldexp(mantissa, std::clamp(exponent, -5000, 5000)); }
   /// A double below it by 2^-46 of it, or by one spacing of the smallest doubles. REQUIRES (not checked:
   /// exact): positive.
   double rounded_down() const {

@@ -2,17 +2,20 @@
 // where the result cancels, and near underflow within what error_bounds::underflow gives.
 #include "numbers/double_double.hpp"
 
-#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
 
+#include "oracle/exact_numbers.hpp"
+
 namespace tamis {
 namespace {
 
-mpq_class exact(const DoubleDouble& a) { return mpq_class(a.high) + mpq_class(a.low); }
+using oracle::Rational;
+
+Rational exact(const DoubleDouble& a) { return Rational(a.high) + Rational(a.low); }
 
 /// Numbers of any size within 2^+-`exponents`; often nearly equal ones, and low parts that are zero or at their limit.
 class Operands {
@@ -36,9 +39,9 @@ class Operands {
   int exponents_;
 };
 
-void expect_close(const DoubleDouble& computed, const mpq_class& truth, double relative, const char* operation) {
-  const mpq_class error = abs(mpq_class(exact(computed) - truth));
-  EXPECT_LE(error, abs(truth) * mpq_class(relative)) << operation << " " << computed.high << " " << computed.low;
+void expect_close(const DoubleDouble& computed, const Rational& truth, double relative, const char* operation) {
+  const Rational error = abs(exact(computed) - truth);
+  EXPECT_LE(error, abs(truth) * Rational(relative)) << operation << " " << computed.high << " " << computed.low;
   EXPECT_EQ(computed.high, computed.high + computed.low) << operation << ": the parts overlap";
 }
 
@@ -52,8 +55,8 @@ TEST(DoubleDouble, SumsOfTwoDoublesAndProductsOfTwoAreExact) {
   Operands operands(300);
   for (int i = 0; i < 20000; ++i) {
     const double a = operands.next().high, b = operands.next().high;
-    EXPECT_EQ(exact(DoubleDouble::sum_of(a, b)), mpq_class(a) + mpq_class(b)) << a << " " << b;
-    EXPECT_EQ(exact(DoubleDouble::product_of(a, b)), mpq_class(a) * mpq_class(b)) << a << " " << b;
+    EXPECT_EQ(exact(DoubleDouble::sum_of(a, b)), Rational(a) + Rational(b)) << a << " " << b;
+    EXPECT_EQ(exact(DoubleDouble::product_of(a, b)), Rational(a) * Rational(b)) << a << " " << b;
   }
 }
 
@@ -77,9 +80,9 @@ TEST(DoubleDouble, UnderflowCostsLessThanItsBound) {
     DoubleDouble a = operands.next(), b = operands.next();
     a = {std::ldexp(a.high, -size), std::ldexp(a.low, -size)};
     b = {std::ldexp(b.high, -(1070 - size)), std::ldexp(b.low, -(1070 - size))};
-    const mpq_class error = abs(mpq_class(exact(a * b) - exact(a) * exact(b)));
-    EXPECT_LE(error, abs(mpq_class(exact(a) * exact(b))) * mpq_class(error_bounds::unit_roundoff<DoubleDouble>) +
-                         mpq_class(0x1p-1068))
+    const Rational error = abs(exact(a * b) - exact(a) * exact(b));
+    EXPECT_LE(error,
+              abs(exact(a) * exact(b)) * Rational(error_bounds::unit_roundoff<DoubleDouble>) + Rational(0x1p-1068))
         << a.high << " " << b.high;
   }
 }
@@ -96,7 +99,7 @@ TEST(DoubleDouble, ComparesBothParts) {
     EXPECT_EQ(exact(min(a, b)), std::min(exact(a), exact(b)));
     EXPECT_EQ(exact(max(a, b)), std::max(exact(a), exact(b)));
     EXPECT_EQ(exact(abs(a)), abs(exact(a)));
-    EXPECT_GE(mpq_class(upper_double(a)), exact(a));
+    EXPECT_GE(Rational(upper_double(a)), exact(a));
   }
 }
 

@@ -1,7 +1,6 @@
 // Interval arithmetic against exact rationals, and what becomes of zeros.
 #include "numbers/interval.hpp"
 
-#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +8,12 @@
 #include <limits>
 #include <random>
 
+#include "oracle/exact_numbers.hpp"
+
 namespace tamis {
 namespace {
+
+using oracle::Rational;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -39,9 +42,9 @@ class Ends {
 };
 
 /// An end that is not a number proves nothing: that is what overflow leaves.
-void expect_encloses(const Interval& x, const mpq_class& value, const char* operation) {
-  EXPECT_TRUE(!std::isfinite(x.lower) || mpq_class(x.lower) <= value) << operation << ' ' << x.lower << ' ' << value;
-  EXPECT_TRUE(!std::isfinite(x.upper) || mpq_class(x.upper) >= value) << operation << ' ' << x.upper << ' ' << value;
+void expect_encloses(const Interval& x, const Rational& value, const char* operation) {
+  EXPECT_TRUE(!std::isfinite(x.lower) || Rational(x.lower) <= value) << operation << ' ' << x.lower << ' ' << value;
+  EXPECT_TRUE(!std::isfinite(x.upper) || Rational(x.upper) >= value) << operation << ' ' << x.upper << ' ' << value;
 }
 
 // Bug: an end rounded inward; a zero taken for exact that is an underflow.
@@ -50,14 +53,14 @@ TEST(Interval, EnclosesEveryResult) {
   for (int i = 0; i < 200000; ++i) {
     const Interval a = ends.next(), b = ends.next();
     const double x = ends.within(a), y = ends.within(b);
-    expect_encloses(a + b, mpq_class(x) + mpq_class(y), "sum");
-    expect_encloses(a - b, mpq_class(x) - mpq_class(y), "difference");
-    expect_encloses(a * b, mpq_class(x) * mpq_class(y), "product");
-    if (!b.may_be_zero()) expect_encloses(a / b, mpq_class(x) / mpq_class(y), "quotient");
+    expect_encloses(a + b, Rational(x) + Rational(y), "sum");
+    expect_encloses(a - b, Rational(x) - Rational(y), "difference");
+    expect_encloses(a * b, Rational(x) * Rational(y), "product");
+    if (!b.may_be_zero()) expect_encloses(a / b, Rational(x) / Rational(y), "quotient");
   }
 }
 
-mpq_class value_of(const DoubleDouble& x) { return mpq_class(x.high) + mpq_class(x.low); }
+Rational value_of(const DoubleDouble& x) { return Rational(x.high) + Rational(x.low); }
 
 // Bug: a sum of double-doubles that cancels to zero, and is not zero.
 TEST(Interval, SumsOfDoubleDoublesThatCancelAreEnclosed) {

@@ -34,7 +34,7 @@ int lowest_exponent(double x) {
 Integer scaled_to_integer(double x, int shift) {
   int exponent = 0;
   const double fraction = std::frexp(x, &exponent);
-  Integer result(static_cast<long>(std::ldexp(fraction, 53)));
+  Integer result(static_cast<std::int64_t>(std::ldexp(fraction, 53)));
   exponent += shift - 53;
   if (exponent >= 0) return result << static_cast<unsigned>(exponent);
   return result >> static_cast<unsigned>(-exponent);  // the bits shifted out are zero

@@ -6,17 +6,17 @@
 namespace tamis::oracle {
 
 Polynomial::Polynomial(std::vector<Integer> coefficients) : coefficients_(std::move(coefficients)) {
-  while (!coefficients_.empty() && sgn(coefficients_.back()) == 0) coefficients_.pop_back();
+  while (!coefficients_.empty() && coefficients_.back().sign() == 0) coefficients_.pop_back();
 }
 
 int Polynomial::sign_at(const Rational& t) const {
   // Horner's scheme on the numerator of the value over denominator^degree.
   Integer value = 0, power = 1;
   for (std::size_t i = coefficients_.size(); i-- > 0;) {
-    value = value * t.get_num() + coefficients_[i] * power;
-    power *= t.get_den();
+    value = value * numerator(t) + coefficients_[i] * power;
+    power *= denominator(t);
   }
-  return sgn(value);
+  return value.sign();
 }
 
 std::vector<Integer> Polynomial::bernstein_coefficients() const {
@@ -31,17 +31,17 @@ Signs Polynomial::signs_on_unit_interval() const {
   if (is_zero()) return {false, true, false};
   Signs signs;
   for (const Integer& c : bernstein_coefficients())
-    (sgn(c) < 0 ? signs.negative : sgn(c) > 0 ? signs.positive : signs.zero) = true;
+    (c.sign() < 0 ? signs.negative : c.sign() > 0 ? signs.positive : signs.zero) = true;
   return signs;
 }
 
 bool Polynomial::changes_sign_once() const {
   const auto c = bernstein_coefficients();
-  if (sgn(c.front()) == 0 || sgn(c.back()) == 0) return false;
-  int last = sgn(c.front()), changes = 0;
+  if (c.front().sign() == 0 || c.back().sign() == 0) return false;
+  int last = c.front().sign(), changes = 0;
   for (const Integer& x : c) {
-    if (sgn(x) == -last) ++changes;
-    if (sgn(x) != 0) last = sgn(x);
+    if (x.sign() == -last) ++changes;
+    if (x.sign() != 0) last = x.sign();
   }
   return changes == 1;
 }
@@ -61,14 +61,13 @@ Polynomial Polynomial::on_part(const Integer& n, unsigned k) const {
 
 double Polynomial::approximate_root() const {
   // Converts the coefficients to doubles, divided by one power of two that keeps them in range.
-  std::size_t bits = 0;
-  for (const Integer& c : coefficients_) bits = std::max(bits, mpz_sizeinbase(c.get_mpz_t(), 2));
+  constexpr unsigned kMostBits = 1000;
+  unsigned bits = 0;
+  for (const Integer& c : coefficients_)
+    if (c != 0) bits = std::max(bits, static_cast<unsigned>(msb(abs(c))));
+  const unsigned excess = bits > kMostBits ? bits - kMostBits : 0;
   std::vector<double> c;
-  for (const Integer& x : coefficients_) {
-    long exponent = 0;
-    const double fraction = mpz_get_d_2exp(&exponent, x.get_mpz_t());
-    c.push_back(std::ldexp(fraction, static_cast<int>(exponent - static_cast<long>(bits))));
-  }
+  for (const Integer& x : coefficients_) c.push_back(static_cast<double>(Integer(x >> excess)));
   const auto value = [&](double t) {
     double sum = 0;
     for (std::size_t i = c.size(); i-- > 0;) sum = sum * t + c[i];
@@ -90,7 +89,7 @@ Polynomial Polynomial::derivative() const {
 
 Polynomial Polynomial::without_roots_at_ends() const {
   std::vector<Integer> c = coefficients_;
-  while (sgn(c.front()) == 0) c.erase(c.begin());
+  while (c.front().sign() == 0) c.erase(c.begin());
   while (Polynomial(c).sign_at(1) == 0) {
     // Horner's scheme at 1: the partial sums from the top are the quotient, the last one is the remainder 0.
     for (std::size_t i = c.size() - 1; i-- > 0;) c[i] += c[i + 1];
@@ -141,7 +140,7 @@ Polynomial remainder(const Polynomial& a, const Polynomial& b) {
   const Integer scale = abs(b.leading());
   while (!rest.is_zero() && rest.degree() >= b.degree()) {
     const std::size_t shift = rest.degree() - b.degree();
-    const Integer factor = sgn(b.leading()) > 0 ? rest.leading() : Integer(-rest.leading());
+    const Integer factor = b.leading().sign() > 0 ? rest.leading() : Integer(-rest.leading());
     std::vector<Integer> next(rest.degree());  // the leading coefficient cancels
     for (std::size_t i = 0; i < next.size(); ++i) {
       next[i] = scale * rest[i];

@@ -1,13 +1,10 @@
 // Polynomials in one variable with integer coefficients of any size: the oracle's only arithmetic.
 #pragma once
-#include <gmpxx.h>
-
 #include <vector>
 
-namespace tamis::oracle {
+#include "oracle/exact_numbers.hpp"
 
-using Integer = mpz_class;
-using Rational = mpq_class;
+namespace tamis::oracle {
 
 /// Which signs occur among some numbers.
 struct Signs {

@@ -1,12 +1,12 @@
 #include "support/test_data.hpp"
 
-#include <gmpxx.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include "oracle/exact_numbers.hpp"
 
 namespace tamis::test {
 
@@ -15,10 +15,9 @@ namespace fs = std::filesystem;
 namespace {
 
 double exact_double(const std::string& numerator, const std::string& denominator) {
-  mpq_class value{mpz_class(numerator), mpz_class(denominator)};
-  value.canonicalize();
-  const double result = value.get_d();
-  if (mpq_class(result) != value) throw std::runtime_error(numerator + "/" + denominator + " is not a double");
+  const oracle::Rational value{oracle::Integer(numerator), oracle::Integer(denominator)};
+  const auto result = static_cast<double>(value);
+  if (value != result) throw std::runtime_error(numerator + "/" + denominator + " is not a double");
   return result;
 }
 

@@ -36,7 +36,7 @@ void AlgebraicTime::refine() {
     refinement_ = 4;
     return halve();
   }
-  const unsigned long bits = refinement_;
+  const int bits = refinement_;
   const DyadicCell guess{(cell_.n << bits) + quotient(at_lower << bits, at_lower - at_upper), cell_.k + bits};
   const int sign = polynomial_.sign_at(guess);
   is_exact_ = sign == 0;
@@ -117,8 +117,8 @@ void AlgebraicTime::narrow_to_doubles(double lower, double upper) {
         cell_ = std::move(t);
         return;
       }
-      value = {mpz_get_d_2exp(&value.exponent, exact.get()), 0, 0};
-      value.exponent -= static_cast<long>(t.k) * polynomial_.degree();
+      const WideDouble there = WideDouble::of(exact);
+      value = {there.mantissa, 0, there.exponent - t.k * polynomial_.degree()};
     }
     const int side = value.sign() * sign_before_;
     (side > 0 ? lower : upper) = guess;

@@ -47,7 +47,7 @@ class AlgebraicTime {
   int sign_before_ = 0;  ///< the polynomial's sign between the lower end of the cell and the root
   DyadicCell cell_;
   bool is_exact_ = false;
-  unsigned long refinement_ = 8;
+  int refinement_ = 8;
 };
 
 }  // namespace tamis

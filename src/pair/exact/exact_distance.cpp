@@ -13,7 +13,7 @@ namespace {
 
 Vec3<double> unit_vector_of(const Vec3<Integer>& v) {
   const WideDouble x = WideDouble::of(v.x), y = WideDouble::of(v.y), z = WideDouble::of(v.z);
-  const long largest = std::max({x.exponent, y.exponent, z.exponent});  // positive, but 0 if all are zero
+  const int largest = std::max({x.exponent, y.exponent, z.exponent});  // positive, but 0 if all are zero
   if (largest == 0) return {0, 0, 0};
   const auto value = [&](const WideDouble& a) { return a.times_two_to(-largest).value(); };
   return unit_vector(Vec3<double>{value(x), value(y), value(z)});

@@ -79,7 +79,7 @@ template Polygon<Estimate> corner_velocities(PairKind, const PairPoints&);
 
 Polygon<Integer> polygon_at(const MovingPolygon& polygon, const DyadicCell& time) {
   const Integer before = (Integer(1) << time.k) - time.n;
-  Polygon<Integer> at{{}, polygon.corner_count, polygon.exponent - static_cast<int>(time.k)};
+  Polygon<Integer> at{{}, polygon.corner_count, polygon.exponent - time.k};
   for (std::size_t i = 0; i < polygon.corner_count; ++i)
     at.corners[i] = before * polygon.corners[i].at0 + time.n * polygon.corners[i].at1;
   return at;

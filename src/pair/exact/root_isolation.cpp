@@ -15,12 +15,12 @@ struct RootCell {
   DyadicCell cell;
   IntegerPolynomial local;  ///< the polynomial with the cell mapped to [0,1]
   int depth;
-  unsigned long bits;
+  int bits;
   bool may_start_with_root;
 };
 
 /// The one of 2^bits cells of [0,1] that may hold `roots` roots, by a step of Newton's method from the end 0 or 1.
-DyadicCell cell_of_roots(const IntegerPolynomial& local, int roots, int end, unsigned long bits) {
+DyadicCell cell_of_roots(const IntegerPolynomial& local, int roots, int end, int bits) {
   const Integer value = local.scaled_value({end, 0}), slope = local.derivative().scaled_value({end, 0});
   const Integer last = (Integer(1) << bits) - 1;
   Integer n = end == 0 ? Integer(0) : last;
@@ -43,7 +43,7 @@ void divide_cell(const RootCell& part, int variations, std::vector<RootCell>& pa
       return;
     }
   }
-  const unsigned long fewer_bits = std::max(bits / 2, 2UL);
+  const int fewer_bits = std::max(bits / 2, 2);
   parts.push_back({cell.right_half(), local.on({1, 1}), depth + 1, fewer_bits, true});
   parts.push_back({cell.left_half(), local.on({0, 1}), depth + 1, fewer_bits, false});
 }
@@ -52,7 +52,7 @@ void divide_cell(const RootCell& part, int variations, std::vector<RootCell>& pa
 DyadicCell cell_until(double latest) {
   int exponent = 0;
   std::frexp(std::max(latest, std::numeric_limits<double>::denorm_min()), &exponent);
-  return {0, static_cast<unsigned long>(std::max(-exponent, 0))};
+  return {0, std::max(-exponent, 0)};
 }
 
 }  // namespace

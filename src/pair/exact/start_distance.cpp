@@ -68,7 +68,7 @@ double apart_from_start(PairKind kind, const PairPoints& points, double separati
   const WideDouble reach = separation > 0 ? distance + WideDouble::of(separation) : distance;
   const WideDouble fastest = WideDouble::of(speed).root().times_two_to(polygon.exponent);
   const WideDouble time =
-      WideDouble::of(excess.above).times_two_to(2L * polygon.exponent) / WideDouble::of(square.below) / reach / fastest;
+      WideDouble::of(excess.above).times_two_to(2 * polygon.exponent) / WideDouble::of(square.below) / reach / fastest;
   return time.rounded_down();
 }
 

@@ -1,6 +1,5 @@
 // Near pairs in one pose: compares methods, instruction sets and numbers of threads with each other, and distances,
 // weights and directions with exact arithmetic, in plain, degenerate and touching scenes.
-#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include "oracle/exact_numbers.hpp"
 #include "pair/exact/exact_distance.hpp"
 #include "pair/exact/nearest_point.hpp"
 #include "scenes/random.hpp"
@@ -15,6 +15,7 @@
 #include "support/copied.hpp"
 #include "support/kernels_here.hpp"
 #include "support/test_names.hpp"
+#include "support/to_oracle.hpp"
 #include "support/yardstick/methods.hpp"
 #include "support/yardstick/pairs.hpp"
 #include "tamis/detector.hpp"
@@ -24,6 +25,7 @@
 namespace tamis::test {
 namespace {
 
+using oracle::Rational;
 using scenes::Recipe, scenes::Scene;
 
 void expect_same(std::span<const NearPair> a, std::span<const NearPair> b) {
@@ -170,16 +172,15 @@ TEST(NearLoosePoints, MeetLooseEdgesAndEachOther) {
 }
 
 /// |a - sqrt(square)| <= tolerance.
-bool is_root_within(const mpq_class& a, const mpq_class& square, const mpq_class& tolerance) {
-  const mpq_class low = a - tolerance, high = a + tolerance;
+bool is_root_within(const Rational& a, const Rational& square, const Rational& tolerance) {
+  const Rational low = a - tolerance, high = a + tolerance;
   return (low <= 0 || low * low <= square) && high * high >= square;
 }
 
-mpq_class exact_square_of_distance(PairKind kind, const PairPoints& points) {
+Rational exact_square_of_distance(PairKind kind, const PairPoints& points) {
   const Polygon<Integer> polygon = start_polygon(kind, points);
   const Fraction<Integer> square = NearestPointSearch<Integer>::in(polygon).square;
-  mpq_class result(mpz_class(square.above.get()), mpz_class(square.below.get()));
-  result.canonicalize();
+  Rational result(to_oracle(square.above), to_oracle(square.below));
   for (int i = 0; i < std::abs(polygon.exponent); ++i) polygon.exponent < 0 ? result /= 4 : result *= 4;
   return result;
 }
@@ -188,7 +189,7 @@ mpq_class exact_square_of_distance(PairKind kind, const PairPoints& points) {
 // double is that near.
 TEST(NearAmongTheSmallestDoubles, DistancesAreOffByHalfTheSmallestMore) {
   scenes::Random random(5);
-  const mpq_class smallest(std::numeric_limits<double>::denorm_min());
+  const Rational smallest(std::numeric_limits<double>::denorm_min());
   int beyond_part = 0;
   for (const double unit : {0x1p-1074, 0x1p-1050, 0x1p-1025}) {
     Scene scene;
@@ -204,11 +205,11 @@ TEST(NearAmongTheSmallestDoubles, DistancesAreOffByHalfTheSmallestMore) {
     std::array<int, kPairKinds> kinds{};
     for (const NearPair& pair : detector.pairs_within(scene.start, 20 * unit)) {
       const PairPoints points = points_of({scene.start, scene.start}, pair.vertices);
-      const mpq_class square = exact_square_of_distance(pair.kind, points);
-      const mpq_class part = mpq_class(size_of(points, pair.kind)) / mpq_class(0x1p41);
-      EXPECT_TRUE(is_root_within(mpq_class(pair.distance), square, part + smallest / 2)) << pair.distance / unit;
+      const Rational square = exact_square_of_distance(pair.kind, points);
+      const Rational part = Rational(size_of(points, pair.kind)) / Rational(0x1p41);
+      EXPECT_TRUE(is_root_within(Rational(pair.distance), square, part + smallest / 2)) << pair.distance / unit;
       EXPECT_EQ(pair.distance, distance_of({pair.kind, pair.vertices}, scene.start).distance);
-      beyond_part += !is_root_within(mpq_class(pair.distance), square, part);
+      beyond_part += !is_root_within(Rational(pair.distance), square, part);
       ++kinds[static_cast<std::size_t>(pair.kind)];
     }
     for (const int count : kinds) EXPECT_GT(count, 10);

@@ -2,33 +2,36 @@
 // itself.
 #include "curves/motions/rotation.hpp"
 
-#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include "curves/motions/fine_point.hpp"
 #include "curves/motions/rigid_transform.hpp"
 #include "curves/motions/rounded_rotation.hpp"
 #include "curves/paths/turning_pairs.hpp"
+#include "oracle/exact_numbers.hpp"
 
 namespace tamis::test {
 namespace {
 
+using oracle::Integer, oracle::Rational;
+
 /// cos x and sin x / x by their series, to some 250 bits, from the square of x.
-std::pair<mpf_class, mpf_class> by_series(double angle) {
-  constexpr mp_bitcnt_t kBits = 1536;  // the terms of an angle of 400 reach e^400
-  const mpf_class square = mpf_class(angle, kBits) * mpf_class(angle, kBits);
-  mpf_class cosine(0, kBits), sinc(0, kBits), term(1, kBits);
-  for (unsigned k = 0; k < 700; ++k) {
+std::pair<Rational, Rational> by_series(double angle) {
+  const Integer one = Integer(1) << 1536;  // the terms of an angle of 400 reach e^400
+  const Rational exact_square = Rational(angle) * Rational(angle);
+  const Integer square = numerator(exact_square) * one / denominator(exact_square);
+  Integer cosine = 0, sinc = 0, term = one;
+  for (int k = 0; k < 700; ++k) {
     cosine += term;
-    const mpf_class odd = term / (2 * k + 1);
+    const Integer odd = term / (2 * k + 1);
     sinc += odd;
-    term = -(odd * square) / (2 * k + 2);
+    term = -(odd * square) / one / (2 * k + 2);
   }
-  return {cosine, sinc};
+  return {Rational(cosine, one), Rational(sinc, one)};
 }
 
-mpf_class exact(double x) { return mpf_class(x, 256); }
-mpf_class exact(const DoubleDouble& x) { return exact(x.high) + exact(x.low); }
+Rational exact(double x) { return Rational(x); }
+Rational exact(const DoubleDouble& x) { return exact(x.high) + exact(x.low); }
 
 void expect_enclosed(double angle) {
   const auto [cosine, sinc] = by_series(angle);

@@ -1,11 +1,11 @@
 // Touches that cross nothing. A point (or an edge along z) at the distance r from the z axis turns about it beside a
 // wall in the plane x = c: it touches iff r^2 >= c^2, which integers decide exactly.
-#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "curves/paths/turning_pairs.hpp"
+#include "oracle/exact_numbers.hpp"
 
 namespace tamis::test {
 namespace {
@@ -23,9 +23,8 @@ TurningPair beside_wall(PairKind kind, double x, double y, double wall, double t
 
 /// The sign of r^2 - c^2.
 int excess(double x, double y, double wall) {
-  const mpq_class a(x), b(y), c(wall);
-  const mpq_class difference = a * a + b * b - c * c;
-  return sgn(difference);
+  const oracle::Rational a(x), b(y), c(wall);
+  return (a * a + b * b - c * c).sign();
 }
 
 /// Away from the wall by whole units in the last place.

@@ -90,7 +90,7 @@ TEST(Signs, at_a_root_are_zero_only_for_a_common_root) {
 // Catches a sign that is taken before the root and the other polynomial's root are apart.
 TEST(Signs, beside_a_root_are_right_at_any_distance) {
   auto roots = roots_in_unit_interval(with_roots({{{1, 3}, {5, 1}, {7, 1}}}));
-  for (unsigned long bits = 1; bits < 600; bits += 37) {
+  for (int bits = 1; bits < 600; bits += 37) {
     const Integer unit = Integer(3) << bits;
     EXPECT_EQ(roots.at(0).sign_of(linear((Integer(1) << bits) - 1, unit)), 1);
     EXPECT_EQ(roots.at(0).sign_of(linear((Integer(1) << bits) + 1, unit)), -1);
@@ -103,7 +103,7 @@ TEST(DyadicCell, is_shortest_at_a_time) {
     const DyadicCell cell = shortest_cell_at(time);
     EXPECT_EQ(lower_end(cell), time);
     EXPECT_TRUE(lower_end_is_double(cell));
-    EXPECT_TRUE(cell.k == 0 || mpz_odd_p(cell.n.get()) != 0) << time;
+    EXPECT_TRUE(cell.k == 0 || cell.n.trailing_zeros() == 0) << time;
   }
 }
 

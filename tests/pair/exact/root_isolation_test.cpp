@@ -10,16 +10,17 @@
 #include "oracle/somewhere.hpp"
 #include "scenes/random.hpp"
 #include "support/test_data.hpp"
+#include "support/to_oracle.hpp"
 
 namespace tamis::test {
 namespace {
 
+using oracle::Rational;
 using scenes::Random;
-
-mpz_class to_oracle(const Integer& a) { return mpz_class(a.get()); }
+using test::to_oracle;
 
 oracle::Polynomial to_oracle(const IntegerPolynomial& p) {
-  std::vector<mpz_class> powers;
+  std::vector<oracle::Integer> powers;
   for (int i = 0; i <= p.degree(); ++i) powers.push_back(to_oracle(p[i]));
   return oracle::Polynomial(std::move(powers));
 }
@@ -34,7 +35,7 @@ std::ptrdiff_t count_roots(const oracle::Polynomial& p, const DyadicCell& cell) 
 Integer random_coefficient(Random& random, Index spread) {
   const Index kind = random.below(8);
   const std::int64_t size = kind == 0 ? 0 : kind == 1 ? 1 : std::int64_t{1} + random.below(1 << 30);
-  return Integer(random.coin() ? size : -size) << static_cast<unsigned long>(random.below(spread));
+  return Integer(random.coin() ? size : -size) << random.below(spread);
 }
 
 template <std::size_t N>
@@ -73,7 +74,7 @@ void expect_all_roots(const IntegerPolynomial& p) {
       continue;
     }
     ++doubles;
-    EXPECT_EQ(expected.sign_at(mpq_class(lower)), 0);
+    EXPECT_EQ(expected.sign_at(Rational(lower)), 0);
   }
   EXPECT_TRUE(std::is_sorted(starts.begin(), starts.end()));
   for (const double start : starts)
@@ -92,12 +93,12 @@ TEST(Roots, are_those_that_the_oracle_counts) {
 /// n / 2^k, or as far from 1; n may be 0, and k is up to 3000.
 struct Root {
   Integer n;
-  unsigned long k;
-  mpq_class time() const { return mpq_class(to_oracle(n)) / (mpz_class(1) << k); }
+  int k;
+  Rational time() const { return Rational(to_oracle(n), oracle::Integer(1) << k); }
 };
 
 Root random_root(Random& random) {
-  const auto k = static_cast<unsigned long>(40 + random.below(random.coin() ? 100 : 3000));
+  const int k = 40 + random.below(random.coin() ? 100 : 3000);
   const Integer distance = std::int64_t{random.below(1 << 30)};
   return {random.coin() ? distance : (Integer(1) << k) - distance, k};
 }
@@ -113,9 +114,9 @@ TEST(Signs, at_known_roots_at_any_distance_are_right) {
   for (long i = 5 * repetitions("TAMIS_EXACT_CASES", 200); i > 0 && !testing::Test::HasFailure(); --i) {
     const Root known[] = {random_root(random), random_root(random), random_root(random)};
     const IntegerPolynomial p = factor(known[0]) * factor(known[1]) * factor(known[2]);
-    std::vector<mpq_class> times;
+    std::vector<Rational> times;
     for (const Root& root : known) times.push_back(root.time());
-    std::sort(times.begin(), times.end(), [](const mpq_class& a, const mpq_class& b) { return cmp(a, b) < 0; });
+    std::sort(times.begin(), times.end());
     times.erase(std::unique(times.begin(), times.end()), times.end());
     std::vector<AlgebraicTime> roots = roots_in_unit_interval(p);
     ASSERT_EQ(roots.size(), times.size());

@@ -20,10 +20,10 @@ namespace {
 /// Largest ratio of error to bound seen so far.
 struct Worst {
   double ratio = 0;
-  void add(double computed, const Exact& truth, double bound) {
-    const mpq_class error = abs(mpq_class(computed - truth.value));
+  void add(double computed, const Rational& truth, double bound) {
+    const Rational error = abs(computed - truth);
     if (error == 0) return;
-    ratio = std::max(ratio, mpq_class(error / bound).get_d());
+    ratio = std::max(ratio, static_cast<double>(error / bound));
   }
   void check(const char* name) const {
     testing::Test::RecordProperty(name, std::to_string(ratio));
@@ -35,20 +35,20 @@ struct Worst {
 
 struct Case {
   PairMotion<double> rounded;
-  PairMotion<Exact> exact;
+  PairMotion<Rational> exact;
 };
 
 /// The library's scale of this motion: a power of two, found from one size.
-Exact scale_of(const PairMotion<double>& m, const PairMotion<Exact>& unscaled) {
+Rational scale_of(const PairMotion<double>& m, const PairMotion<Rational>& unscaled) {
   const auto pick = [](const auto& v) { return std::array{v.at0.x, v.at0.y, v.at0.z, v.at1.x, v.at1.y, v.at1.z}; };
   const auto scaled = pick(m.e);
   const auto original = pick(unscaled.e);
   for (std::size_t i = 0; i < scaled.size(); ++i)
-    if (original[i].value != 0) {
-      const double ratio = scaled[i] / original[i].value.get_d();
-      return Exact(std::ldexp(1.0, static_cast<int>(std::lround(std::log2(std::abs(ratio))))));
+    if (original[i] != 0) {
+      const double ratio = scaled[i] / static_cast<double>(original[i]);
+      return Rational(std::ldexp(1.0, static_cast<int>(std::lround(std::log2(std::abs(ratio))))));
     }
-  return Exact(1);
+  return Rational(1);
 }
 
 /// Calls `use` on many motions, whole and restricted, with vectors of very unequal sizes among them.
@@ -65,7 +65,7 @@ void for_each_case(const Use& use, bool are_whole = false) {
     if (!are_whole && random.coin()) {
       const double a = random.unit(), b = random.unit(), from = std::min(a, b), to = std::max(a, b);
       c.rounded = restrict_to(c.rounded, from, to);
-      c.exact = restrict_to(c.exact, Exact(from), Exact(to));
+      c.exact = restrict_to(c.exact, Rational(from), Rational(to));
     }
     use(c);
   }
@@ -74,7 +74,7 @@ void for_each_case(const Use& use, bool are_whole = false) {
 TEST(ErrorBounds, InputVectorsAndTheirSums) {
   Worst input;
   for_each_case([&](const Case& c) {
-    const auto add = [&](const Moving<double>& v, const Moving<Exact>& truth, double size) {
+    const auto add = [&](const Moving<double>& v, const Moving<Rational>& truth, double size) {
       const double bound = error_bounds::bound(error_bounds::kInput, size);
       input.add(v.at0.x, truth.at0.x, bound);
       input.add(v.at1.z, truth.at1.z, bound);
@@ -110,7 +110,7 @@ TEST(ErrorBounds, CoplanarityPolynomialRestricted) {
         const double a = random.unit(), b = random.unit(), from = std::min(a, b),
                      to = random.coin() ? std::max(a, b) : 1;
         const auto k = restrict_to(coplanarity_polynomial(c.rounded), from, to);
-        const auto truth = coplanarity_polynomial(restrict_to(c.exact, Exact(from), Exact(to)));
+        const auto truth = coplanarity_polynomial(restrict_to(c.exact, Rational(from), Rational(to)));
         const double unit = c.rounded.size_d * c.rounded.size_e * c.rounded.size_f;
         for (std::size_t i : {0u, 3u})
           end.add(k[i], truth[i], error_bounds::bound(error_bounds::kCoplanarityEnd, unit));
@@ -134,7 +134,7 @@ TEST(ErrorBounds, CoplanarityAtOneTime) {
       [&](const Case& c) {
         const double t = random.unit();
         const PairMotion<double>& m = c.rounded;
-        now.add(coplanarity_at(m, t), coplanarity_at(c.exact, Exact(t)),
+        now.add(coplanarity_at(m, t), coplanarity_at(c.exact, Rational(t)),
                 error_bounds::bound(error_bounds::kCoplanarityNow, m.size_d * m.size_e * m.size_f));
       },
       true);
@@ -150,13 +150,12 @@ TEST(ErrorBounds, CoplanaritySlopeAndBend) {
     const auto k = coplanarity_polynomial(c.rounded.d, normal_polynomial(c.rounded.e, c.rounded.f));
     const auto truth = coplanarity_polynomial(c.exact.d, normal_polynomial(c.exact.e, c.exact.f));
     const double unit = c.rounded.size_d * c.rounded.size_e * c.rounded.size_f, t = random.unit(), r = random.unit();
-    const Exact exact_slope = crossing::slope(truth, Exact(t));
+    const Rational exact_slope = crossing::slope(truth, Rational(t));
     slope.add(crossing::slope(k, t), exact_slope, error_bounds::bound(error_bounds::kCoplanaritySlope, unit));
-    const Exact there(mpq_class(t) + mpq_class(r * (1 - t)));
-    const Exact distance = there - Exact(t);
-    const Exact rest = crossing::value(truth, there) - crossing::value(truth, Exact(t)) - distance * exact_slope;
-    if (distance.value > 0)
-      bend = std::max(bend, mpq_class(abs(rest.value) / (distance.value * distance.value * mpq_class(unit))).get_d());
+    const Rational there = Rational(t) + Rational(r * (1 - t));
+    const Rational distance = there - Rational(t);
+    const Rational rest = crossing::value(truth, there) - crossing::value(truth, Rational(t)) - distance * exact_slope;
+    if (distance > 0) bend = std::max(bend, static_cast<double>(abs(rest) / (distance * distance * unit)));
   });
   slope.check("kCoplanaritySlope");
   RecordProperty("bend", std::to_string(bend));
@@ -200,10 +199,10 @@ TEST(ErrorBounds, SideAtOneTimeAndNearIt) {
         const auto& m = c.rounded;
         const double t = random.unit(), there = random.unit();
         const double unit = (m.size_d + m.size_e) * (m.size_e + m.size_f) * m.size_e * m.size_f;
-        const Exact truth = side_at(c.exact, Exact(t));
+        const Rational truth = side_at(c.exact, Rational(t));
         now.add(side_at(m, t), truth, error_bounds::bound(error_bounds::kSideValue, unit));
-        const Exact change = side_at(c.exact, Exact(there)) - truth;
-        if (there != t) slope = std::max(slope, std::abs(change.value.get_d()) / (std::abs(there - t) * unit));
+        const Rational change = side_at(c.exact, Rational(there)) - truth;
+        if (there != t) slope = std::max(slope, std::abs(static_cast<double>(change)) / (std::abs(there - t) * unit));
       },
       true);
   now.check("kSideValue");

@@ -11,11 +11,11 @@ namespace {
 
 /// Value at t of a polynomial given by Bernstein coefficients without their binomials.
 template <class Value, std::size_t n>
-Value bernstein(const std::array<Value, n>& c, const Exact& t) {
-  const Exact s = Exact(1) - t;
-  Value sum = Exact(0) * c[0];
+Value bernstein(const std::array<Value, n>& c, const Rational& t) {
+  const Rational s = Rational(1) - t;
+  Value sum = Rational(0) * c[0];
   for (std::size_t i = 0; i < n; ++i) {
-    Exact weight(1);
+    Rational weight(1);
     for (std::size_t k = 0; k < i; ++k) weight = weight * t;
     for (std::size_t k = i + 1; k < n; ++k) weight = weight * s;
     sum = sum + weight * c[i];
@@ -23,7 +23,9 @@ Value bernstein(const std::array<Value, n>& c, const Exact& t) {
   return sum;
 }
 
-void expect_equal(const Vec3<Exact>& a, const Vec3<Exact>& b) { EXPECT_TRUE(a.x == b.x && a.y == b.y && a.z == b.z); }
+void expect_equal(const Vec3<Rational>& a, const Vec3<Rational>& b) {
+  EXPECT_TRUE(a.x == b.x && a.y == b.y && a.z == b.z);
+}
 
 TEST(Polynomials, AreTheirDefinitionsAtEveryTime) {
   Random random(3);
@@ -36,7 +38,7 @@ TEST(Polynomials, AreTheirDefinitionsAtEveryTime) {
         const auto plane = edge_plane_polynomial(m.e, n);
         const auto side = side_polynomial(m.d, plane);
         for (const double time : {0.0, 0.25, 0.7, 1.0}) {
-          const Exact t(time);
+          const Rational t(time);
           const auto e = at_time(m.e, t), f = at_time(m.f, t), d = at_time(m.d, t);
           expect_equal(bernstein(n, t), cross(e, f));
           EXPECT_TRUE(bernstein(k, t) == dot(d, cross(e, f)));
@@ -58,17 +60,18 @@ TEST(Polynomials, InDoublesEqualTheExactOnesWhereNothingRounds) {
     const auto k = coplanarity_polynomial(m.d, n);
     const auto exact = exact_motion(PairKind::vertex_face, motion);
     const auto exact_k = coplanarity_polynomial(exact.d, normal_polynomial(exact.e, exact.f));
-    for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(Exact(k[c]).value == 0, exact_k[c].value == 0);
+    for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(k[c] == 0, exact_k[c] == 0);
   }
 }
 
 TEST(Polynomials, RestrictedMotionEndsWhereTheWholeOneIs) {
   Random random(5);
   const auto m = exact_motion(PairKind::edge_edge, family_named("random").make(PairKind::edge_edge, random));
-  const auto part = restrict_to(m, Exact(0.3), Exact(0.8));
-  expect_equal(part.d.at0, at_time(m.d, Exact(0.3)));
-  expect_equal(part.d.at1, at_time(m.d, Exact(0.8)));
-  expect_equal(at_time(part.e, Exact(0.5)), at_time(m.e, Exact(0.3) + Exact(0.5) * (Exact(0.8) - Exact(0.3))));
+  const auto part = restrict_to(m, Rational(0.3), Rational(0.8));
+  expect_equal(part.d.at0, at_time(m.d, Rational(0.3)));
+  expect_equal(part.d.at1, at_time(m.d, Rational(0.8)));
+  expect_equal(at_time(part.e, Rational(0.5)),
+               at_time(m.e, Rational(0.3) + Rational(0.5) * (Rational(0.8) - Rational(0.3))));
 }
 
 }  // namespace

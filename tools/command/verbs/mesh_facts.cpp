@@ -1,9 +1,9 @@
 #include "command/verbs/mesh_facts.hpp"
 
 #include <fmt/format.h>
-#include <gmpxx.h>
 
 #include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
 #include "audit/doubts.hpp"
@@ -12,6 +12,9 @@
 
 namespace tamis::cli {
 namespace {
+
+using Rational =
+    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 
 const Point& at(const std::vector<Point>& positions, Index vertex) {
   return positions[static_cast<std::size_t>(vertex)];
@@ -37,7 +40,7 @@ bool has_no_area(const Point& a, const Point& b, const Point& c) {
   }
   constexpr double kClear = 1e-12;
   if (area > kClear * size * size && std::isfinite(area)) return false;
-  const auto exact = cross(difference<mpq_class>(b, a), difference<mpq_class>(c, a));
+  const auto exact = cross(difference<Rational>(b, a), difference<Rational>(c, a));
   return exact[0] == 0 && exact[1] == 0 && exact[2] == 0;
 }
 
@@ -72,11 +75,11 @@ bool are_on_one_side(const Point& a, const Point& b, const Point& c, const Point
   constexpr double kClear = 1e-12;
   const double area = longest * longest, cosine = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];
   if ((sine > kClear * size * area || cosine < -kClear * area * area) && std::isfinite(area * area)) return false;
-  const auto exact_base = difference<mpq_class>(b, a);
-  const auto exact_n = cross(exact_base, difference<mpq_class>(c, a));
-  const auto exact_m = cross(exact_base, difference<mpq_class>(d, a));
+  const auto exact_base = difference<Rational>(b, a);
+  const auto exact_n = cross(exact_base, difference<Rational>(c, a));
+  const auto exact_m = cross(exact_base, difference<Rational>(d, a));
   const auto exact_turn = cross(exact_n, exact_m);
-  const mpq_class exact_cosine = exact_n[0] * exact_m[0] + exact_n[1] * exact_m[1] + exact_n[2] * exact_m[2];
+  const Rational exact_cosine = exact_n[0] * exact_m[0] + exact_n[1] * exact_m[1] + exact_n[2] * exact_m[2];
   return exact_turn[0] == 0 && exact_turn[1] == 0 && exact_turn[2] == 0 && exact_cosine > 0;
 }
 

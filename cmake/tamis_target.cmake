@@ -29,7 +29,7 @@ else()
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   # Templates serve doubles and lanes, so they join conditions with & and | for bool, too.
-  list(APPEND TAMIS_ALWAYS -Wno-bitwise-instead-of-logical)
+  list(APPEND TAMIS_WARNINGS -Wno-bitwise-instead-of-logical)
 endif()
 
 # Settings that all targets of the project share. A parent project chooses its own warnings.

@@ -17,9 +17,9 @@ clang=(clang libclang-rt-dev)
 packages=(g++ cmake ninja-build pkg-config libtbb-dev libboost-dev libxsimd-dev
           libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev libb64-dev)
 case ${1:-} in
-  --core-tests) packages+=(libgtest-dev python3 binutils git) ;;
+  --core-tests) packages+=(libgtest-dev libgmp-dev python3 binutils git) ;;
   --all-tests)
-    packages+=(libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev
+    packages+=(libopenmpi-dev openmpi-bin libgtest-dev libgmp-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev
                libbullet-dev binutils valgrind "${clang[@]}" git debootstrap chromium)
     # Node from elsewhere than Debian has an npm of its own, and conflicts with Debian's.
     command -v npm >/dev/null || packages+=(nodejs npm)

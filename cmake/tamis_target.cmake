@@ -29,7 +29,7 @@ else()
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   # Templates serve doubles and lanes, so they join conditions with & and | for bool, too.
-  list(APPEND TAMIS_ALWAYS -Wno-bitwise-instead-of-logical)
+  list(APPEND TAMIS_WARNINGS -Wno-bitwise-instead-of-logical)
 endif()
 
 # Settings that all targets of the project share. A parent project chooses its own warnings.
@@ -43,6 +43,11 @@ function(tamis_target target)
   if(TAMIS_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE $<IF:$<BOOL:${MSVC}>,/WX,-Werror>)
   endif()
+endfunction()
+
+# If a hot loop's place in its cache line depends on the code linked before it, small questions cost up to 6% more.
+function(tamis_align_functions target)
+  target_compile_options(${target} PRIVATE $<$<NOT:$<BOOL:${MSVC}>>:-falign-functions=64>)
 endfunction()
 
 # Compiles with -O1, for targets that only read, write and call the library: that takes a quarter less time to compile, and no

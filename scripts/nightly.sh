@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # nightly.sh: runs all tests, and checks that take too long for every day: each source compiled by itself, clang-tidy over
-# all sources, both commands of the README and four compilers on new roots of both Debians, both sanitizers, the unit tests
-# on 64-bit ARM, a build for macOS, an hour of attacks and 50 minutes of fuzzing. Takes some seven hours on two cores. Goes on
+# all sources, the core tests without oneTBB, both commands of the README and four compilers on new roots of both Debians,
+# both sanitizers, the unit tests on 64-bit ARM, a build for macOS, an hour of attacks and 50 minutes of fuzzing. Takes some seven hours on two cores. Goes on
 # after a failure, and names the failures at the end.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -19,6 +19,9 @@ run env TAMIS_WHEEL="$(ls build/all/python/dist/*.whl)" build/all/python/blender
 run cmake --preset dev -B build/alone -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
 run cmake --build build/alone
 run scripts/check_tidy.sh build/all/tidy --all
+run cmake --preset serial
+run cmake --build --preset serial
+run ctest --preset serial
 for release in trixie bookworm; do
   run scripts/try_in_root.sh "$release" sh -c 'scripts/demo.sh && scripts/test.sh'
   run scripts/try_in_root.sh "$release" scripts/test.sh --all

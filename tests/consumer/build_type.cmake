@@ -23,3 +23,13 @@ execute_process(COMMAND ${configure} -S ${work}/other -B ${work}/part ERROR_VARI
 expect_in("${said}" "give -D CMAKE_BUILD_TYPE=Release")
 file(READ ${work}/part/CMakeCache.txt cache)
 expect_in("${cache}" "CMAKE_BUILD_TYPE:STRING=\n")
+
+# Without oneTBB the library is built for the caller's threads, and says so; if oneTBB is demanded, the error says what to do.
+execute_process(COMMAND ${configure} -D TAMIS_TBB=OFF -S ${root} -B ${work}/serial OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+expect_in("${said}" "tamis: without oneTBB")
+execute_process(COMMAND ${configure} -D TAMIS_TBB=ON -D CMAKE_DISABLE_FIND_PACKAGE_TBB=ON -S ${root} -B ${work}/missing
+  ERROR_VARIABLE said RESULT_VARIABLE result OUTPUT_QUIET)
+expect_in("${said}" "TAMIS_TBB is ON, and oneTBB was not found: install it")
+if(result EQUAL 0)
+  message(FATAL_ERROR "TAMIS_TBB=ON is taken without oneTBB")
+endif()

@@ -23,6 +23,7 @@ pub const TAMIS_UNRESOLVED: i32 = 1;
 pub const TAMIS_REPORT: i32 = 0;
 pub const TAMIS_IGNORE: i32 = 1;
 pub const TAMIS_FAIL: i32 = 2;
+pub type tamis_loop_body = Option<unsafe extern "C" fn(*mut c_void, i32)>;
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct tamis_step {
@@ -170,6 +171,7 @@ pub struct tamis_options {
     pub user: *mut c_void,
     pub radii: *const f64,
     pub rings: i32,
+    pub parallel_for: Option<unsafe extern "C" fn(*mut c_void, i32, tamis_loop_body, *mut c_void)>,
 }
 zeroed!(tamis_options);
 extern "C" { pub fn tamis_detector_create(mesh: *const tamis_mesh, options: *const tamis_options, detector: *mut *mut tamis_detector) -> c_int; }
@@ -228,6 +230,7 @@ pub struct tamis_pair_options {
     pub latest: *const f64,
     pub is_cancelled: Option<unsafe extern "C" fn(*mut c_void) -> c_int>,
     pub user: *mut c_void,
+    pub parallel_for: Option<unsafe extern "C" fn(*mut c_void, i32, tamis_loop_body, *mut c_void)>,
 }
 zeroed!(tamis_pair_options);
 extern "C" { pub fn tamis_pairs_create(options: *const tamis_pair_options, pairs: *mut *mut tamis_pairs) -> c_int; }
@@ -350,6 +353,7 @@ pub const TAMIS_FAILED: i32 = 8;
 /// A path that does not fit the mesh, or breaks its promises.
 pub const TAMIS_INVALID_PATH: i32 = 9;
 extern "C" { pub fn tamis_version() -> *const c_char; }
+extern "C" { pub fn tamis_has_threads() -> c_int; }
 #[repr(C)]
 pub struct tamis_shape {
     _private: [u8; 0],
@@ -378,6 +382,7 @@ pub struct tamis_world_options {
     pub min_separation: f64,
     pub is_cancelled: Option<unsafe extern "C" fn(*mut c_void) -> c_int>,
     pub user: *mut c_void,
+    pub parallel_for: Option<unsafe extern "C" fn(*mut c_void, i32, tamis_loop_body, *mut c_void)>,
 }
 zeroed!(tamis_world_options);
 extern "C" { pub fn tamis_world_create(options: *const tamis_world_options, world: *mut *mut tamis_world) -> c_int; }

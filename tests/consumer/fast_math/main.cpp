@@ -48,6 +48,15 @@ int main() {
     print(tamis::vertex_face(start, end));
     print(tamis::edge_edge(start, end, {.min_separation = subnormal(static_cast<std::uint64_t>(i % 3))}));
   }
+  std::vector<tamis::Point> starts, ends;  // of so many pairs that threads share them, if there are threads
+  for (int i = 0; i < 20000; ++i)
+    for (auto* points : {&starts, &ends}) {
+      const Four four = lattice();
+      points->insert(points->end(), four.begin(), four.end());
+    }
+  std::vector<tamis::PairResult> results(starts.size() / 4);
+  tamis::narrow_phase(tamis::PairKind::edge_edge, starts, ends, results);
+  for (const tamis::PairResult& result : results) print(result);
   Four start = lattice();
   start[1][1] = std::bit_cast<double>(std::uint64_t{0x7ff8000000000000});  // not a number
   try {

@@ -14,6 +14,15 @@ DEVIATIONS = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.c_d
 ASKED = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
 ACCEPTS = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_int32))
 
+BODY = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int32)
+LOOP = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int32, BODY, ctypes.c_void_p)
+
+
+@LOOP
+def _one_after_the_other(user, count, body, loop):
+    for i in range(count):
+        body(loop, i)
+
 
 @POINTS_AT
 def _still(user, time, vertices, count, points, errors):
@@ -49,7 +58,7 @@ FIELDS = {
     "loose_points": indices(1), "loose_point_count": 1, "threads": 1, "min_separation": 0.0, "group_count": 2,
     "group_of_vertex": indices(0, 0, 0, 1, 1, 1), "groups_may_touch": (ctypes.c_uint8 * 4)(1, 1, 1, 1),
     "radii": doubles(0, 0), "at_start": 0, "rings": 1, "isa": b"best",
-    "accepts": ACCEPTS(lambda user, kind, vertices: 1), "is_cancelled": ASKED(lambda user: 0), "user": None,
+    "accepts": ACCEPTS(lambda user, kind, vertices: 1), "is_cancelled": ASKED(lambda user: 0), "parallel_for": _one_after_the_other, "user": None,
     "latest": doubles(1), "kind": 0, "vertices": (3, 0, 1, 2), "rest": doubles(*START), "rest_end": doubles(*END), "body_count": 1,
     "body_of_vertex": indices(0, 0, 0, 0, 0, 0), "links_of_body": (ctypes.c_size_t * 1)(0), "links": None,
     "frame_count": 2, "frames": doubles(*START, *END), "points_at": _still, "deviations": _no_deviation, "tolerance": 0.0,

@@ -46,6 +46,11 @@ function(tamis_target target)
   endif()
 endfunction()
 
+# If a hot loop's place in its cache line depends on the code linked before it, small questions cost up to 6% more.
+function(tamis_align_functions target)
+  target_compile_options(${target} PRIVATE $<$<NOT:$<BOOL:${MSVC}>>:-falign-functions=64>)
+endfunction()
+
 # Compiles with -O1, for targets that only read, write and call the library: that takes a quarter less time to compile, and no
 # question of the shipped programs is slower. Debug builds stay as they are.
 function(tamis_optimise_less target)

@@ -26,9 +26,8 @@ def main() -> int:
                for p in sorted((root / folder).rglob("*")) if p.suffix in (".hpp", ".cpp", ".h") and "tests" not in p.parts]
     found = [f"{path.relative_to(root)}:{number}: {word}: put it into src/numbers/platform.hpp" for path in sources
              if path.relative_to(root).as_posix() not in KNOWS for number, word in foreign_words(path.read_text())]
-    # The pattern must find what is there.
-    unread = [name for name in KNOWS if not any(True for _ in foreign_words((root / name).read_text()))]
-    found += [f"{name}: names no compiler: leave it out of KNOWS" for name in unread]
+    if not any(foreign_words((root / "src/numbers/platform.hpp").read_text())):
+        found.append("src/numbers/platform.hpp: no word of a compiler was found: this check reads nothing")
     print("\n".join(found) or f"{len(sources)} sources, of which {len(KNOWS)} know compilers")
     return 1 if found else 0
 

@@ -43,7 +43,7 @@ std::optional<double> exact_double(std::string_view numerator, std::string_view 
   if (!is_integer(numerator) || !is_integer(denominator)) return std::nullopt;
   const cpp_int n = integer_of(numerator), d = integer_of(denominator);
   if (d == 0) return std::nullopt;
-  const cpp_rational fraction(n, d);
+  const cpp_rational fraction = cpp_rational(n) / d;
   const auto value = static_cast<double>(fraction);  // the nearest double, hence the comparison
   if (!std::isfinite(value) || fraction != value) return std::nullopt;
   return value;

@@ -6,18 +6,19 @@
 namespace tamis {
 namespace {
 
-constexpr std::uint64_t kPrime = (std::uint64_t{1} << 31) - 1;
+/// The largest prime below 2^32: products fit into 64 bits. Modulo 2^31-1 powers of two would have only 31 values.
+constexpr std::uint64_t kPrime = 4294967291;
 
 std::uint64_t times(std::uint64_t a, std::uint64_t b) { return a * b % kPrime; }
 std::uint64_t minus(std::uint64_t a, std::uint64_t b) { return a >= b ? a - b : a + kPrime - b; }
 
-/// 2^62 is 1 modulo kPrime. So the residue is the sum of the digits of 62 bits.
 std::uint64_t residue(const Integer& a) {
-  constexpr int kDigit = 62;
-  std::uint64_t sum = 0;
-  for (int first = 0; first < a.bits(); first += kDigit)
-    sum = (sum + (a.bits_from(first) & ((std::uint64_t{1} << kDigit) - 1))) % kPrime;
-  return a.sign() < 0 ? minus(0, sum) : sum;
+  constexpr int kDigit = 32;
+  constexpr std::uint64_t kMask = 0xffffffff;
+  std::uint64_t size = 0;
+  for (int first = a.bits() / kDigit * kDigit; first >= 0; first -= kDigit)
+    size = ((size << kDigit) + (a.bits_from(first) & kMask)) % kPrime;
+  return a.sign() < 0 ? minus(0, size) : size;
 }
 
 struct Residues {

@@ -102,6 +102,21 @@ static void detectors(void) {
   free(expected);
 }
 
+/* Loops that are too short to share stay with the thread that asks. */
+static void few_triangles(void) {
+  struct engine engine = {0, 0};
+  tamis_options options = {sizeof options};
+  tamis_mesh* mesh = two_triangles();
+  tamis_detector* detector = NULL;
+  const tamis_step step = falling();
+  size_t count = 0;
+  options.threads = THREADS, options.parallel_for = parallel_for, options.user = &engine;
+  EXPECT(tamis_detector_create(mesh, &options, &detector) == TAMIS_OK);
+  EXPECT(tamis_detector_contacts(detector, &step, &count) == TAMIS_OK && count == 1 && engine.loops == 0);
+  tamis_detector_free(detector);
+  tamis_mesh_free(mesh);
+}
+
 static void lists_of_pairs(void) {
   enum { COUNT = 20000 };
   struct engine engine = {0, 0};
@@ -141,6 +156,7 @@ int main(void) {
   make_sheets();
   EXPECT(tamis_has_threads() == 0 || tamis_has_threads() == 1);
   detectors();
+  few_triangles();
   lists_of_pairs();
   worlds();
   return expect_failures != 0;

@@ -5,7 +5,7 @@ import { Opening } from "./panels/opening";
 import { reasonOf } from "./reason";
 import { Scene } from "./scene/scene";
 import { SceneFile } from "./scene/scene_file";
-import { Viewer } from "./viewer";
+import { systemTheme, Viewer } from "./viewer";
 
 async function showOwn(text: string): Promise<void> {
   const began = performance.now();
@@ -18,6 +18,7 @@ async function showOwn(text: string): Promise<void> {
 
 async function main(): Promise<void> {
   const text = document.getElementById("scene")?.textContent.trim() ?? "";
+  document.documentElement.dataset.theme = systemTheme();
   const hasScene = text !== "" && !text.startsWith("<");
   try {
     if (hasScene) await showOwn(text);

@@ -18,7 +18,7 @@ import { Ring } from "./panels/ring";
 import { firstBadStep, isPose } from "./scene/header";
 import type { Scene } from "./scene/scene";
 import { Session } from "./session";
-import { initialState, Store, type ViewState } from "./store";
+import { initialState, Store, type Theme, type ViewState } from "./store";
 import { openStage } from "./view3d/open_stage";
 import type { Stage } from "./view3d/stage";
 
@@ -116,8 +116,9 @@ export class Viewer {
   }
 }
 
+export const systemTheme = (): Theme => (matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark");
+
 function firstState(scene: Scene): ViewState {
-  const theme = matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark";
   const narrow = matchMedia("(max-width: 760px)").matches;
-  return { ...initialState, up: scene.up, theme, panelOpen: !narrow };
+  return { ...initialState, up: scene.up, theme: systemTheme(), panelOpen: !narrow };
 }

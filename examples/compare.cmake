@@ -1,4 +1,5 @@
 execute_process(COMMAND ${example} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+string(REPLACE "\r\n" "\n" printed "${printed}")
 file(READ ${expected} expected_text)
 if(NOT printed STREQUAL expected_text)
   message(FATAL_ERROR "the example printed\n${printed}its page says\n${expected_text}")

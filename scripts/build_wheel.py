@@ -106,7 +106,7 @@ def source_digest(source: pathlib.Path) -> bytes:
 
 # The licences of the packages of Debian whose libraries the wheel contains; HEADERS are compiled into it.
 # Boost's licence asks for no notice in compiled code.
-LICENCES = {"libb64-0d": "CC0-1.0", "libcli11-dev": "BSD-3-Clause", "libeigen3-dev": "MPL-2.0",
+LICENCES = {"libcli11-dev": "BSD-3-Clause", "libeigen3-dev": "MPL-2.0",
             "libfmt9": "MIT", "libfmt10": "MIT", "libmeshoptimizer2d": "MIT",
             "libtbb12": "Apache-2.0", "nanobind": "BSD-3-Clause",
             "nlohmann-json3-dev": "MIT", "zlib1g": "Zlib"}

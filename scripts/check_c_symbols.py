@@ -1,13 +1,26 @@
 #!/usr/bin/env python3
 """check_c_symbols.py LIBRARY HEADERS: checks that the library exports exactly the functions of the folder's headers.
 
-All symbols must have the library's version. An additional symbol may replace another library's in a program that loads
-this one; a missing symbol is a function that cannot be called.
+All symbols must have the library's version; a DLL has it in its name alone. An additional symbol may replace another
+library's in a program that loads this one; a missing symbol is a function that cannot be called.
 """
 import pathlib
 import re
 import subprocess
 import sys
+
+
+def lines_of(*command: str) -> list[str]:
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()
+
+
+def exported_by(library: str) -> set[str]:
+    if library.endswith(".dll"):
+        # Binutils before 2.41 write "[ 0] name", later ones "[ 0] +base[ 1] 0000 name".
+        line = re.compile(r"\s*\[\s*\d+\](?: \+base\[\s*\d+\]\s+[0-9a-f]+)? (\w+)")
+        return {match[1] for match in map(line.fullmatch, lines_of("objdump", "--private-headers", library)) if match}
+    names = lines_of("nm", "--dynamic", "--defined-only", "--with-symbol-versions", library)
+    return {line.split(" ", 2)[2] for line in names if " A " not in line}
 
 
 def declared_in(folder: pathlib.Path) -> set[str]:
@@ -20,14 +33,12 @@ def declared_in(folder: pathlib.Path) -> set[str]:
 def main() -> int:
     library, folder = sys.argv[1:]
     declared = declared_in(pathlib.Path(folder))
-    version = re.search(r"libtamis_c\.so\.(\d+\.\d+)", pathlib.Path(library).resolve().name)
+    version = re.search(r"tamis_c(?:\.so\.|-)(\d+\.\d+)", pathlib.Path(library).resolve().name)
     if not version or not declared:
         print(f"{library} has no version in its name, or {folder} declares nothing")
         return 1
-    listing = subprocess.run(["nm", "--dynamic", "--defined-only", "--with-symbol-versions", library], check=True,
-                             capture_output=True, text=True).stdout
-    exported = {line.split(" ", 2)[2] for line in listing.splitlines() if " A " not in line}
-    wanted = {f"{name}@@TAMIS_{version[1]}" for name in declared}
+    exported = exported_by(library)
+    wanted = {name if library.endswith(".dll") else f"{name}@@TAMIS_{version[1]}" for name in declared}
     for name in sorted(exported - wanted):
         print(f"exported, and not declared: {name}")
     for name in sorted(wanted - exported):

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # nightly.sh: runs all tests, and checks that take too long for every day: each source compiled by itself, clang-tidy over
 # all sources, the core tests without oneTBB, both commands of the README and four compilers on new roots of both Debians, both
-# sanitizers, the unit tests on 64-bit ARM and in WebAssembly, a build for macOS, an hour of attacks and 50 minutes of fuzzing.
-# Takes some seven hours on two cores. Goes on after a failure, and names the failures at the end.
+# sanitizers, the core tests on 64-bit ARM and Windows and in WebAssembly, a build for macOS, an hour of attacks and 50 minutes of
+# fuzzing. Takes some seven hours on two cores. Goes on after a failure, and names the failures at the end.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
@@ -31,6 +31,7 @@ done
 run scripts/sanitize.sh address
 run scripts/sanitize.sh thread
 run scripts/test_arm64.sh --all
+run scripts/test_windows.sh --all
 run scripts/try_in_root.sh --data trixie scripts/test_wasm.sh
 run scripts/build_macos.sh
 run scripts/hostile.sh 3600

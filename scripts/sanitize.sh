@@ -11,15 +11,8 @@ cd "$(dirname "$0")/.."
 build_tbb() {
   local folder=$PWD/build/tsan-tbb
   [[ -e $folder/complete ]] && return
-  rm -rf "$folder" && mkdir -p "$folder"/{lists/partial,cache/archives/partial,sources,source}
-  for file in /etc/apt/sources.list.d/*.sources; do
-    sed 's/^Types: deb$/Types: deb-src/' "$file" >"$folder/sources/$(basename "$file")"
-  done
-  [[ ! -e /etc/apt/sources.list ]] || sed -n 's/^deb /deb-src /p' /etc/apt/sources.list >"$folder/sources/main.list"
-  local apt=(apt-get -q -oDir::State::Lists="$folder/lists" -oDir::Cache="$folder/cache" -oAPT::Sandbox::User=root
-             -oDir::Etc::sourceparts="$folder/sources" -oDir::Etc::sourcelist=/dev/null)
-  "${apt[@]}" update
-  (cd "$folder/source" && "${apt[@]}" source --download-only onetbb && tar -xf ./*.orig.tar.* --strip-components=1)
+  rm -rf "$folder"
+  scripts/debian_source.sh onetbb "$folder/source"
   cmake -S "$folder/source" -B "$folder/tbb" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DTBB_SANITIZE=thread \
     -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF -DTBB_DISABLE_HWLOC_AUTOMATIC_SEARCH=ON
   cmake --build "$folder/tbb"

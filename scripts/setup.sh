@@ -6,6 +6,7 @@
 #   --compilers    the other compilers that the release has (scripts/check_compilers.sh)
 #   --blender      Blender, in which the add-on is tested (besides the module bpy)
 #   --arm64        those of the tests on 64-bit ARM
+#   --windows      those of the tests on Windows
 #   --wasm         those of the tests in WebAssembly; on Debian 13, as Debian 12's emscripten is too old
 #   --bench        those of the benchmarks, and the libraries that Tamis is compared with
 # Uses neither apt nor the network if nothing is missing. On other systems it prints what to install.
@@ -17,11 +18,11 @@ clang=(clang libclang-rt-dev)
 release=$(. /etc/os-release 2>/dev/null && echo "${VERSION_CODENAME-}")
 [[ $release != bookworm ]] || clang=(clang-14 libclang-rt-14-dev)
 packages=(g++ cmake ninja-build pkg-config libtbb-dev libboost-dev libxsimd-dev
-          libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev libb64-dev)
+          libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev)
 case ${1:-} in
-  --core-tests) packages+=(libgtest-dev python3 binutils git) ;;
+  --core-tests) packages+=(libgtest-dev libgmp-dev python3 binutils git) ;;
   --all-tests)
-    packages+=(libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev
+    packages+=(libopenmpi-dev openmpi-bin libgtest-dev libgmp-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev
                libbullet-dev binutils valgrind "${clang[@]}" git debootstrap chromium)
     # Node from elsewhere than Debian has an npm of its own, and conflicts with Debian's.
     command -v npm >/dev/null || packages+=(nodejs npm)
@@ -34,13 +35,14 @@ case ${1:-} in
     ;;
   --blender) packages+=(blender python3-numpy) ;;
   --arm64) packages+=(g++-aarch64-linux-gnu qemu-user) ;;
+  --windows) packages+=(g++-mingw-w64-x86-64-posix libz-mingw-w64-dev libboost-dev googletest wine64 wine) ;;
   --wasm)
     [[ $release != bookworm ]] || { echo "setup: Debian 12's emscripten is 3.1.6, and 3.1.50 is needed: use Debian 13" >&2; exit 1; }
-    packages+=(emscripten nodejs googletest libgtest-dev python3)
+    packages+=(emscripten nodejs libfast-float-dev googletest libgtest-dev python3)
     ;;
   --bench) packages+=(libbenchmark-dev libembree-dev libcgal-dev libbullet-dev libfcl-dev python3-matplotlib) ;;
   "") ;;
-  *) echo "setup: no option is called $1: use --core-tests, --all-tests, --python, --compilers, --blender, --arm64, --wasm or --bench" >&2; exit 2 ;;
+  *) echo "setup: no option is called $1: use --core-tests, --all-tests, --python, --compilers, --blender, --arm64, --windows, --wasm or --bench" >&2; exit 2 ;;
 esac
 
 is_installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }

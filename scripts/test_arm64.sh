@@ -20,7 +20,7 @@ download() {
   "${apt[@]}" update -q || return
   (cd "$packages/archives" && "${apt[@]}" download -q \
     libxsimd-dev libtbb-dev libtbb12 libtbbmalloc2 libtbbbind-2-5 libhwloc15 libudev1 libfmt-dev "$fmt" \
-    libmeshoptimizer-dev libmeshoptimizer2d zlib1g-dev zlib1g libb64-dev libb64-0d libgtest-dev) || return
+    libmeshoptimizer-dev libmeshoptimizer2d zlib1g-dev zlib1g libgtest-dev) || return
   for package in "$packages"/archives/*.deb; do dpkg-deb -x "$package" "$packages"; done
   touch "$packages/complete"
 }

@@ -122,7 +122,7 @@ class Queries final : public cli::Verb {
   }
 
   std::vector<std::string> names_;
-  std::string out_;
+  std::filesystem::path out_;
   double min_separation_ = 0;
   int repeat_ = 1;
   bool json_ = false;

@@ -77,7 +77,8 @@ TEST(Estimate, SaysOnlyWhatIsTrue) {
 
 // Bug: a sign of what is left of two long products is taken from their rounding.
 TEST(Estimate, KnowsWhatIsLeftBelow127Bits) {
-  const Estimate a = Estimate::scaled((1L << 53) - 1, 0), b = Estimate::scaled((1L << 53) - 3, 0);
+  const Estimate a = Estimate::scaled((std::int64_t{1} << 53) - 1, 0),
+                 b = Estimate::scaled((std::int64_t{1} << 53) - 3, 0);
   EXPECT_TRUE((a * b - b * a).has_sign());
   EXPECT_EQ((a * b - b * a).sign(), 0);
   EXPECT_EQ((a * b - b * a - 1).sign(), -1);

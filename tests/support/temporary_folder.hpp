@@ -1,10 +1,10 @@
 // A folder that lives as long as the test.
 #pragma once
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -13,9 +13,10 @@ namespace tamis::test {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "tamis-XXXXXX").string();
-    if (!mkdtemp(pattern.data())) throw std::filesystem::filesystem_error("mkdtemp", std::error_code());
-    path_ = pattern;
+    std::random_device random;
+    const std::string name = "tamis-" + std::to_string(random()) + "-" + std::to_string(random());
+    path_ = std::filesystem::temp_directory_path() / name;
+    if (!std::filesystem::create_directory(path_)) throw std::runtime_error(path_.string() + " is there already");
   }
   ~TemporaryFolder() {
     std::error_code error;

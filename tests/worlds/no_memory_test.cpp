@@ -2,38 +2,28 @@
 // it was to change answers as before. Bug: a body with half of its new motion; the next question crashes.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <functional>
 #include <new>
 
+#include "support/own_memory.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/tamis.h"
 #include "worlds/simple_shapes.hpp"
 #include "worlds/world_numbers.hpp"
 
+namespace tamis::test {
 namespace {
 
 constexpr long kNever = -1;
 thread_local long left = kNever;  ///< pieces until there are no more
 
-void* allocated(std::size_t size, std::size_t unit) {
-  if (left == 0) throw std::bad_alloc();
-  if (left != kNever) --left;
-  void* piece = unit > 0 ? std::aligned_alloc(unit, (size + unit - 1) / unit * unit) : std::malloc(size > 0 ? size : 1);
-  if (piece == nullptr) throw std::bad_alloc();
-  return piece;
-}
-
 }  // namespace
 
-void* operator new(std::size_t size) { return allocated(size, 0); }
-void* operator new(std::size_t size, std::align_val_t unit) { return allocated(size, static_cast<std::size_t>(unit)); }
-[[gnu::noinline]] void operator delete(void* piece) noexcept { std::free(piece); }
-[[gnu::noinline]] void operator delete(void* piece, std::size_t) noexcept { std::free(piece); }
-[[gnu::noinline]] void operator delete(void* piece, std::align_val_t) noexcept { std::free(piece); }
-[[gnu::noinline]] void operator delete(void* piece, std::size_t, std::align_val_t) noexcept { std::free(piece); }
+void on_allocation() {
+  if (left == 0) throw std::bad_alloc();
+  if (left != kNever) --left;
+}
 
-namespace tamis::test {
 namespace {
 
 /// f() with memory for `pieces` pieces. Was that enough?

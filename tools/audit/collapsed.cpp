@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace tamis::audit {
 namespace {
@@ -20,7 +21,7 @@ class Extent {
   }
   std::size_t count() const { return count_; }
   Index first_vertex() const { return vertex_; }
-  long fixed_axes() const { return std::count(varies_.begin(), varies_.end(), false); }
+  std::ptrdiff_t fixed_axes() const { return std::count(varies_.begin(), varies_.end(), false); }
 
  private:
   std::size_t count_ = 0;

@@ -20,7 +20,7 @@ std::vector<io::Output> LookOutput::choices() const {
 void LookOutput::declare(OptionList& options) {
   std::string help = fmt::format("the file to write: {}", io::extensions(choices()));
   if (without_ == io::NoExtension::is_first_format) help += "; csv if the name has no extension";
-  if (!path_.empty()) help += fmt::format("; default {}", path_);
+  if (!path_.empty()) help += fmt::format("; default {}", path_.string());
   declare_output(options, path_, help);
 }
 
@@ -39,10 +39,10 @@ void LookOutput::require(const std::vector<std::filesystem::path>& inputs, std::
     throw InvalidOptions(
         fmt::format("--out {}: such a file holds a step, not a single frame: name two frames, or write "
                     "html or csv",
-                    printable(path_)));
+                    printable(path_.string())));
   if (steps > 1 && !output().holds_sequence)
     throw InvalidOptions(fmt::format("--out {}: such a file holds one step, not {}: name two frames, or write html",
-                                     printable(path_), steps));
+                                     printable(path_.string()), steps));
 }
 
 void LookOutput::write(const io::Recording& recording) const {

@@ -16,7 +16,7 @@ enum class Shown { steps, pose };
 class LookOutput {
  public:
   /// `path`: the default, "" for none. `shown`: a pose has fewer formats.
-  LookOutput(std::string path, io::NoExtension without, Shown shown = Shown::steps)
+  LookOutput(std::filesystem::path path, io::NoExtension without, Shown shown = Shown::steps)
       : path_(std::move(path)), without_(without), shown_(shown) {}
 
   void declare(OptionList& options);
@@ -28,14 +28,14 @@ class LookOutput {
   /// Writes nothing if there is no output.
   void write(const io::Recording& recording) const;
 
-  const std::string& path() const { return path_; }
+  const std::filesystem::path& path() const { return path_; }
 
  private:
   std::vector<io::Output> choices() const;
   /// REQUIRES: a path.
   io::Output output() const;
 
-  std::string path_;
+  std::filesystem::path path_;
   io::NoExtension without_;
   Shown shown_;
 };

@@ -1,36 +1,25 @@
 #include "command/output_file.hpp"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "files/atomic_file.hpp"
 #include "files/format.hpp"
+#include "files/system.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {
 namespace {
 
-/// The type of the file, if both lead to the same one; otherwise 0.
-mode_t common_type(int stream, const std::filesystem::path& output) {
-  struct stat of_stream {
-  }, of_output{};
-  const bool is_same = fstat(stream, &of_stream) == 0 && stat(output.c_str(), &of_output) == 0 &&
-                       of_stream.st_dev == of_output.st_dev && of_stream.st_ino == of_output.st_ino;
-  return is_same ? of_stream.st_mode & S_IFMT : 0;
-}
-
 /// A pipe or terminal may take the answer and the output. A regular file would keep only the later of them.
 void require_not_taken(const std::filesystem::path& output) {
-  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
-    if (S_ISREG(common_type(stream, output)))
+  for (const auto stream : {system::Stream::out, system::Stream::err})
+    if (system::shared_by(stream, output) == system::Shared::file)
       throw InvalidOptions(
           fmt::format("--out {} is where the answer or its notes go: give another name", output.string()));
 }
 
 void require_not_mixed(const std::filesystem::path& output) {
-  const mode_t type = common_type(STDOUT_FILENO, output);
-  if (S_ISFIFO(type) || S_ISSOCK(type))
+  if (system::shared_by(system::Stream::out, output) == system::Shared::pipe)
     throw InvalidOptions(fmt::format(
         "--out {} is the pipe that the answer goes to, and this answer (JSON, or rows that come one by one) must not "
         "mix with anything: give another name, or in bash a pipe of its own, as in --out >(head)",
@@ -39,8 +28,8 @@ void require_not_mixed(const std::filesystem::path& output) {
 
 }  // namespace
 
-void declare_output(OptionList& options, std::string& path, const std::string& help) {
-  options.add_text("--out", path, help).shown_as("FILE");
+void declare_output(OptionList& options, std::filesystem::path& path, const std::string& help) {
+  options.add_path("--out", path, help).shown_as("FILE");
 }
 
 void require_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,

@@ -10,7 +10,7 @@
 namespace tamis::cli {
 
 /// `--out FILE`. `help` says what is written, and in which formats.
-void declare_output(OptionList& options, std::string& path, const std::string& help);
+void declare_output(OptionList& options, std::filesystem::path& path, const std::string& help);
 
 /// To be called before the work. Throws InvalidOptions if `output` is one of the inputs, by whatever link or spelling,
 /// or the file that stdout or stderr goes to; io::FileError if its name has another extension than `extension` ("csv";

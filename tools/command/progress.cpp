@@ -1,16 +1,19 @@
 #include "command/progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <string>
 
 #include "command/command_line/messages.hpp"
+#include "files/system.hpp"
 
 namespace tamis::cli {
 
 Progress::Progress(std::size_t total, const char* unit)
-    : total_(total), unit_(unit), is_terminal_(isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()) {}
+    : total_(total),
+      unit_(unit),
+      is_terminal_(system::stderr_is_terminal()),
+      start_(std::chrono::steady_clock::now()) {}
 
 void Progress::show(std::size_t done) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;

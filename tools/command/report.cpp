@@ -1,20 +1,14 @@
 #include "command/report.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 
-namespace tamis::cli {
+#include "files/system.hpp"
 
-std::uint64_t peak_memory_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  constexpr std::uint64_t kKibibyte = 1024;
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * kKibibyte;
-}
+namespace tamis::cli {
 
 std::string grouped(std::uint64_t number) {
   const std::string digits = std::to_string(number);
@@ -97,7 +91,7 @@ void print_costs(const Statistics& statistics, const Timing& timing, int repeat,
   constexpr double kMegabyte = 1e6;
   fmt::print("with            {} {}, {}, peak memory {:.0f} MB\n", statistics.threads,
              statistics.threads == 1 ? "thread" : "threads", name_of(statistics.isa),
-             static_cast<double>(peak_memory_bytes()) / kMegabyte);
+             static_cast<double>(system::peak_memory_bytes()) / kMegabyte);
 }
 
 }  // namespace tamis::cli

@@ -32,8 +32,6 @@ void print_asked(const Detector& detector);
 /// `only_kind`: the name of the pairs' kind, if there is only one kind.
 void print_costs(const Statistics& statistics, const Timing& timing, int repeat, std::string_view only_kind = {});
 
-/// Largest memory this process held so far.
-std::uint64_t peak_memory_bytes();
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number);
 /// "1 triangle", "2,000 triangles". `nouns`: the plural, unless it is `noun` and an s.

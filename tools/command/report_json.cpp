@@ -2,6 +2,7 @@
 
 #include "command/command_line/printable.hpp"
 #include "command/report.hpp"
+#include "files/system.hpp"
 
 namespace tamis::cli {
 
@@ -38,7 +39,7 @@ void add_costs(Json& json, const Detector& detector, const Timing& timing) {
   json["decided_by"] = {{"lanes", p.lanes}, {"scalar", p.scalar}, {"exact", p.exact}};
   json["ignored"] = statistics.ignored;
   json["nodes_visited"] = statistics.nodes_visited;
-  json["peak_memory_bytes"] = peak_memory_bytes();
+  json["peak_memory_bytes"] = system::peak_memory_bytes();
   json["detector_memory_bytes"] = statistics.memory_bytes;
   json["threads"] = statistics.threads;
   json["min_separation"] = detector.options().min_separation;

@@ -50,17 +50,17 @@ std::vector<Point> between(const std::vector<Point>& start, const std::vector<Po
   return points;
 }
 
-StepFiles read_step(const std::string& start, const std::string& end, double scale,
+StepFiles read_step(const std::filesystem::path& start, const std::filesystem::path& end, double scale,
                     std::optional<double> weld_distance) {
   io::MeshFile first = read_with_notes(start);
   io::MeshFile second = io::read_mesh(end);
-  for (const std::string& sentence : second.notes_of_later_frame()) note(fmt::format("{}: {}", end, sentence));
-  io::require_same_mesh(first, start, second, end);
+  for (const std::string& sentence : second.notes_of_later_frame()) note(fmt::format("{}: {}", end.string(), sentence));
+  io::require_same_mesh(first, start.string(), second, end.string());
   weld(first, std::span(&second.positions, 1), weld_distance);
   std::vector<Point> positions = first.positions;
   const std::string doubt = audit::doubt_about_units(positions, second.positions);
   io::scale_step(positions, second.positions, scale);
-  if (!doubt.empty()) note(fmt::format("{}: {}", end, doubt));
+  if (!doubt.empty()) note(fmt::format("{}: {}", end.string(), doubt));
   std::vector<Edge> loose_edges = first.loose_edges;
   std::vector<Index> loose_points = first.loose_points;
   return {io::mesh_of(std::move(first)), std::move(positions), std::move(second.positions), std::move(loose_edges),

@@ -56,7 +56,7 @@ struct StepFiles {
 };
 
 /// Throws io::FileError if a file cannot be used or the two are not frames of one mesh.
-StepFiles read_step(const std::string& start, const std::string& end, double scale,
+StepFiles read_step(const std::filesystem::path& start, const std::filesystem::path& end, double scale,
                     std::optional<double> weld_distance = {});
 
 }  // namespace tamis::cli

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <string>
 #include <string_view>
 
 namespace tamis::io {
@@ -12,8 +11,7 @@ namespace tamis::io {
 /// and the destructor removes the part. A process that is killed leaves its part behind; nothing ever reads it. The new
 /// file has the permissions of the file it replaces, and its owner as far as the system allows. Symbolic links are
 /// followed, also to a name that no file has yet. A pipe or device is written directly; so is the open file of a
-/// descriptor
-/// (/dev/stdout, /dev/fd/3), at its end.
+/// descriptor (/dev/stdout, /dev/fd/3), at its end.
 class AtomicFile {
  public:
   /// Throws FileError if the file cannot be made or replaced.
@@ -36,7 +34,7 @@ class AtomicFile {
 
   std::filesystem::path path_;    ///< as the user named it
   std::filesystem::path target_;  ///< the file that is replaced, at the end of all symbolic links
-  std::string part_;              ///< the file that is written and not yet renamed; "": none
+  std::filesystem::path part_;    ///< the file that is written and not yet renamed; empty: none
   std::unique_ptr<std::FILE, Close> file_;
   int error_ = 0;  ///< errno of the first failure; 0: none
 };

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "files/error.hpp"
+#include "files/system.hpp"
 
 namespace tamis::io {
 namespace {
@@ -20,7 +21,7 @@ namespace {
 
 FileBytes::FileBytes(const std::filesystem::path& path) {
   const auto close = [](std::FILE* file) { std::fclose(file); };
-  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
+  const std::unique_ptr<std::FILE, decltype(close)> file(system::open_file(path, "rb"), close);
   if (!file) refuse_to_read(path, errno);
   std::error_code is_no_regular_file;
   const auto size = std::filesystem::file_size(path, is_no_regular_file);

@@ -19,6 +19,7 @@ for (const key of keys.filter((each) => each !== "k")) {
 }
 // Hides the message at the start, which would cover the picture.
 await tab.waitForTimeout(1000);
+await tab.waitForFunction(() => !window.tamis.stage?.isBusy, null, { timeout: 120000 });
 await tab.evaluate(() => document.getElementById("toast").remove());
 if (keys.includes("k")) {
   const saved = tab.waitForEvent("download");

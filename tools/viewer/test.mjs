@@ -1,4 +1,4 @@
-// Bundles test/*.test.ts and runs them: node test.mjs. Needs TAMIS_COMMAND, the command to test.
+// Bundles test/*.test.ts and runs them: node test.mjs [BEGINNING OF A NAME]. Needs TAMIS_COMMAND, the command to test.
 import { spawnSync } from "node:child_process";
 import { readdir, rm } from "node:fs/promises";
 import { dirname, join } from "node:path";
@@ -8,7 +8,10 @@ import { build } from "esbuild";
 const folder = dirname(fileURLToPath(import.meta.url));
 // The bundles are below node_modules, so that they find the packages that they import.
 const out = join(folder, "node_modules", ".tests", String(process.pid));
-const names = (await readdir(join(folder, "test"))).filter((name) => name.endsWith(".test.ts"));
+const chosen = process.argv[2] ?? "";
+const names = (await readdir(join(folder, "test"))).filter(
+  (name) => name.startsWith(chosen) && name.endsWith(".test.ts"),
+);
 await build({
   entryPoints: names.map((name) => join(folder, "test", name)),
   outdir: out,

@@ -62,15 +62,15 @@ const CLI::Option& option_named(const CLI::App& verb, const std::string& name) {
 
 }  // namespace
 
-std::vector<std::string> words_of(int argc, char** argv) {
-  std::vector<std::string> words;
-  for (int i = argc - 1; i > 0; --i) {
-    std::string word = argv[i];
-    const bool has_number = i + 1 < argc && io::to_double(argv[i + 1]);
+std::vector<std::string> words_for_parser(const std::vector<std::string>& words) {
+  std::vector<std::string> reversed;
+  for (std::size_t i = words.size(); i-- > 0;) {
+    std::string word = words[i];
+    const bool has_number = i + 1 < words.size() && io::to_double(words[i + 1]);
     if (word == kWeld && !has_number) word += "=0";
-    words.push_back(word.size() > 1 && word.front() == '[' && word.back() == ']' ? "./" + word : word);
+    reversed.push_back(word.size() > 1 && word.front() == '[' && word.back() == ']' ? "./" + word : word);
   }
-  return words;
+  return reversed;
 }
 
 void require_sound(const CLI::App& verb, const std::vector<std::string>& reversed_words) {

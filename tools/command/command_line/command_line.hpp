@@ -9,9 +9,9 @@ class App;
 
 namespace tamis::cli {
 
-/// The words after the program's name, in the reversed order that CLI::App::parse takes. A path such as [a,b], which
+/// The words in the reversed order that CLI::App::parse takes. A path such as [a,b], which
 /// CLI11 would take for a list, becomes ./[a,b].
-std::vector<std::string> words_of(int argc, char** argv);
+std::vector<std::string> words_for_parser(const std::vector<std::string>& words);
 
 /// Refuses errors that CLI11 lets pass, or reports in words that do not help. Throws InvalidOptions if the verb has no
 /// such option, one is given twice, a value is empty (`--out ""`, `--scale=`, `""` for a file: a variable of the shell

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 
+#include "files/system.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {
@@ -64,6 +65,11 @@ Option OptionList::add_flag(const std::string& name, bool& value, const std::str
 
 Option OptionList::add_text(const std::string& name, std::string& value, const std::string& help) {
   return Option(app_.add_option(name, value, help));
+}
+
+Option OptionList::add_path(const std::string& name, std::filesystem::path& value, const std::string& help) {
+  const auto read = [&value](const CLI::results_t& texts) { value = system::path_of(texts.back()); };
+  return Option(add_read(app_, name, read, help)->type_name("TEXT"));
 }
 
 Option OptionList::add_texts(const std::string& name, std::vector<std::string>& values, const std::string& help) {

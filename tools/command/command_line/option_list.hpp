@@ -1,6 +1,7 @@
 // The options of a verb and the names that follow the verb. CLI11 takes the command line apart; its headers take longer
 // to compile than the verbs, so only the files that call CLI11 include them.
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ class OptionList {
   Option add_flag(const std::string& name, bool& value, const std::string& help);
   /// `--name text`; a name in capitals takes the word in that place of the command line.
   Option add_text(const std::string& name, std::string& value, const std::string& help);
+  /// As add_text, for the name of a file or folder.
+  Option add_path(const std::string& name, std::filesystem::path& value, const std::string& help);
   /// `--name one --name two`; a name in capitals takes all words from that place on.
   Option add_texts(const std::string& name, std::vector<std::string>& values, const std::string& help);
   /// `--name one,two`, or `--name one --name two`.

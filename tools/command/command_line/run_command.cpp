@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -15,7 +14,7 @@
 
 #include "command/command_line/command_line.hpp"
 #include "command/command_line/messages.hpp"
-#include "command/command_line/standard_streams.hpp"
+#include "files/system.hpp"
 #include "tamis/error.hpp"
 #include "tamis/options.hpp"
 
@@ -25,7 +24,7 @@ namespace {
 int fail_to_print() { return fail("the result cannot be written to the standard output: check where it leads"); }
 
 /// What was printed must have arrived: a full disk behind stdout is an error too.
-int finish(int code) { return flush_output() ? code : fail_to_print(); }
+int finish(int code) { return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 ? code : fail_to_print(); }
 
 /// The verb and the names that follow it: they tell which of many commands failed.
 std::string subject_of(const CLI::App& verb) {
@@ -81,20 +80,21 @@ void declare(const Command& command, CLI::App& app) {
   }
 }
 
-int run_words(const Command& command, int argc, char** argv) {
-  occupy_standard_streams();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large (ulimit -f) is an error of writing
+int run_words(const Command& command, const std::vector<std::string>& given) {
+  system::prepare_streams();
   CLI::App app(command.description, command.name);
   declare(command, app);
-  const auto is_called = [&](const auto& verb) { return std::string_view(argv[1]) == verb->name(); };
-  if (argc > 1 && argv[1][0] != '-' && std::none_of(command.verbs.begin(), command.verbs.end(), is_called))
-    return fail(fmt::format("unknown verb '{}': see '{} --help'", argv[1], command.name));
-  std::vector<std::string> words = words_of(argc, argv);
-  if (argc > 1 && argv[1][0] != '-')
-    require_sound(*app.get_subcommand(argv[1]), words);
-  else if (argc > 2 && app.get_option_no_throw(argv[1]) == nullptr)
-    return fail(fmt::format("{} comes before the verb: options follow it, as in '{} VERB FILES {}'", argv[1],
-                            command.name, argv[1]));
+  const std::string first = given.empty() ? "" : given.front();
+  const bool has_verb = !given.empty() && !first.starts_with('-');
+  const auto is_called = [&](const auto& verb) { return first == verb->name(); };
+  if (has_verb && std::none_of(command.verbs.begin(), command.verbs.end(), is_called))
+    return fail(fmt::format("unknown verb '{}': see '{} --help'", first, command.name));
+  std::vector<std::string> words = words_for_parser(given);
+  if (has_verb)
+    require_sound(*app.get_subcommand(first), words);
+  else if (given.size() > 1 && app.get_option_no_throw(first) == nullptr)
+    return fail(fmt::format("{} comes before the verb: options follow it, as in '{} VERB FILES {}'", first,
+                            command.name, first));
   try {
     app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
@@ -109,7 +109,7 @@ int run_words(const Command& command, int argc, char** argv) {
 
 int run_command(const Command& command, int argc, char** argv) {
   try {
-    return run_words(command, argc, argv);
+    return run_words(command, system::words_of(argc, argv));
   } catch (const std::exception& error) {
     return fail(error.what());
   }

@@ -20,6 +20,13 @@ struct Outcome {
   nlohmann::json json() const { return nlohmann::json::parse(out); }
 };
 
+/// The built command, or what TAMIS_COMMAND names: scripts/test_windows.sh names a script that runs the Windows
+/// program.
+inline std::string command() {
+  const char* other = std::getenv("TAMIS_COMMAND");
+  return other != nullptr ? other : TAMIS_COMMAND;
+}
+
 /// A folder to run in, with the frames that several tests use.
 class CommandFolder : public TemporaryFolder {
  public:
@@ -31,7 +38,7 @@ class CommandFolder : public TemporaryFolder {
     const TemporaryFolder streams;
     const std::string out = out_to.empty() ? (streams.path() / "out").string() : out_to;
     const std::string err = err_to.empty() ? (streams.path() / "err").string() : err_to;
-    const std::string line = "cd '" + path().string() + "' && " + settings + " '" + TAMIS_COMMAND + "' " + arguments +
+    const std::string line = "cd '" + path().string() + "' && " + settings + " '" + command() + "' " + arguments +
                              " </dev/null >" + out + " 2>" + err;
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, out_to.empty() ? bytes_of_file(out) : "",

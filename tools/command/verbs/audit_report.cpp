@@ -7,6 +7,7 @@
 
 #include "command/command_line/messages.hpp"
 #include "command/command_line/printable.hpp"
+#include "files/system.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -161,7 +162,7 @@ Json audit_json(const Report& report, double seconds) {
             {"notes", texts(report, &FrameAnswer::note)},
             {"min_separation", report.min_separation},
             {"seconds", {{"total", seconds}}},
-            {"peak_memory_bytes", peak_memory_bytes()}};
+            {"peak_memory_bytes", system::peak_memory_bytes()}};
   for (const std::size_t i : bad_frames(report)) json["bad_frames"].push_back(json_of_frame(report.frames[i], i));
   for (const audit::Finding& pair : report.pairs) json["pairs"].push_back(json_of(report, pair));
   return json;

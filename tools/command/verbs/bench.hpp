@@ -53,7 +53,8 @@ class Bench : public Verb {
   std::vector<BenchmarkWay> ways_;
   BenchmarkSetup setup_;
   KeepArgument keep_;
-  std::string start_, end_, scene_, out_;
+  std::filesystem::path start_, end_, out_;
+  std::string scene_;
   std::vector<Index> triangles_{100000};
   std::vector<std::string> questions_ = benchmark_questions();
   std::vector<std::string> modes_{"warm"};

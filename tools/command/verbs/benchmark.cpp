@@ -10,6 +10,7 @@
 #include <span>
 
 #include "command/step_files.hpp"
+#include "files/system.hpp"
 #include "scenes/point_math.hpp"
 #include "tamis/error.hpp"
 
@@ -212,7 +213,7 @@ Json row_of(const BenchmarkCase& step, double scale, const BenchmarkSetup& setup
   if (!s.stages.empty()) candidates = s.stages.front().vf + s.stages.front().ee;
   row["candidates"] = candidates;
   row["detector_memory_bytes"] = s.memory_bytes;
-  row["peak_memory_bytes"] = peak_memory_bytes();
+  row["peak_memory_bytes"] = system::peak_memory_bytes();
   return row;
 }
 

@@ -13,7 +13,7 @@ namespace tamis::cli {
 class PoseVerb : public Verb {
  public:
   void declare(OptionList& options) override {
-    options.add_text("MESH", path_, io::mesh_format_names()).required();
+    options.add_path("MESH", path_, io::mesh_format_names()).required();
     detector_.declare_means(options);
     weld_.declare(options);
     declare_repeat(options, repeat_);
@@ -30,7 +30,7 @@ class PoseVerb : public Verb {
   }
   Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
 
-  std::string path_;
+  std::filesystem::path path_;
   int repeat_ = 1;
   bool json_ = false;
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "command/command_line/printable.hpp"
+#include "files/system.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -75,7 +76,7 @@ void SequenceTable::print_totals(const Options& options, const Statistics& stati
   Json json{{"steps", std::move(steps_)}, {"contacts", json_of(total_)}, {"free_steps", free_steps_}};
   start.add_to(json);
   json.update({{"seconds", {{"total", seconds_}}},
-               {"peak_memory_bytes", peak_memory_bytes()},
+               {"peak_memory_bytes", system::peak_memory_bytes()},
                {"threads", statistics.threads},
                {"min_separation", options.min_separation},
                {"radii", options.radii},

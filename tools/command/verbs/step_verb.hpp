@@ -11,8 +11,8 @@ namespace tamis::cli {
 class StepVerb : public MotionVerb {
  public:
   void declare(OptionList& options) override {
-    options.add_text("START", start_, "the mesh at t=0: " + io::mesh_format_names()).required();
-    options.add_text("END", end_, "the same mesh at t=1").required();
+    options.add_path("START", start_, "the mesh at t=0: " + io::mesh_format_names()).required();
+    options.add_path("END", end_, "the same mesh at t=1").required();
     declare_motion(options);
     declare_repeat(options, repeat_);
     declare_json(options, json_);
@@ -24,8 +24,8 @@ class StepVerb : public MotionVerb {
     return read_step(start_, end_, scale(), weld_distance());
   }
 
-  std::string start_;
-  std::string end_;
+  std::filesystem::path start_;
+  std::filesystem::path end_;
   int repeat_ = 1;
 };
 

@@ -49,7 +49,7 @@ class Audit final : public Verb {
                        "point cache, .pc2 or .mdd")
         .required();
     declare_output(options, out_, "the file to write: csv, the pairs, or html, a page that shows them");
-    options.add_text("--out-frames", out_frames_, "a table of the frames to write: csv").shown_as("FILE");
+    options.add_path("--out-frames", out_frames_, "a table of the frames to write: csv").shown_as("FILE");
     options.add_number("--threads", "N", options_.threads, kThreadCounts, "threads to use; 0, the default: all");
     declare_min_separation(options, options_.min_separation);
     options.add_flag("--no-intersections", no_intersections_, "ask for contacts alone");
@@ -113,8 +113,8 @@ class Audit final : public Verb {
     note_frames(report);
     if (json_) return print_json(audit_json(report, seconds));
     print_audit(report, seconds);
-    for (const std::string& path : {out_, out_frames_})
-      if (!path.empty()) fmt::print("written to      {}\n", printable(path));
+    for (const std::filesystem::path& path : {out_, out_frames_})
+      if (!path.empty()) fmt::print("written to      {}\n", printable(path.string()));
   }
 
   bool is_bad(const audit::Report& report) const {
@@ -128,7 +128,7 @@ class Audit final : public Verb {
   }
 
   std::vector<std::string> names_;
-  std::string out_, out_frames_;
+  std::filesystem::path out_, out_frames_;
   audit::Options options_;
   bool no_intersections_ = false, no_contacts_ = false, only_new_ = false;
   WeldArgument weld_;

@@ -35,8 +35,8 @@ void require_known(const char* what, const std::vector<std::string>& names, cons
 }  // namespace
 
 void Bench::declare(OptionList& options) {
-  options.add_text("START", start_, "the mesh at t=0: " + io::mesh_format_names());
-  options.add_text("END", end_, "the same mesh at t=1");
+  options.add_path("START", start_, "the mesh at t=0: " + io::mesh_format_names());
+  options.add_path("END", end_, "the same mesh at t=1");
   declare_lists(options);
   options.add_number("--cold", "N", setup_.cold, kRunCounts,
                      "new detectors, each timed at its first question; default 3");
@@ -110,8 +110,7 @@ void Bench::check() {
 
 BenchmarkCase Bench::from_files() const {
   StepFiles files = read_step(start_, end_, 1);
-  return {std::filesystem::path(start_).stem().string(), std::move(files.mesh), std::move(files.start),
-          std::move(files.end)};
+  return {start_.stem().string(), std::move(files.mesh), std::move(files.start), std::move(files.end)};
 }
 
 BenchmarkCase Bench::from_scene(Index triangles) const {

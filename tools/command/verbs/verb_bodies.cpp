@@ -40,7 +40,7 @@ class Bodies final : public Verb {
   }
 
   void declare(OptionList& options) override {
-    options.add_text("SCENE", path_, "JSON: bodies, their meshes and how they move; see docs/files-and-command.md")
+    options.add_path("SCENE", path_, "JSON: bodies, their meshes and how they move; see docs/files-and-command.md")
         .required();
     detector_.declare_for_bodies(options);
     at_start_.declare(options);
@@ -96,10 +96,10 @@ class Bodies final : public Verb {
  private:
   /// For sentences of the library, which knows bodies by their numbers.
   std::string step_text(std::size_t step) const {
-    return fmt::format("{}: step {}, bodies counted from 0", path_, step);
+    return fmt::format("{}: step {}, bodies counted from 0", path_.string(), step);
   }
 
-  std::string path_, out_;
+  std::filesystem::path path_, out_;
   int repeat_ = 1;
   bool first_ = false, json_ = false;
   DetectorArguments detector_;

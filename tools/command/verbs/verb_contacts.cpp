@@ -22,8 +22,8 @@ int Contacts::run() {
   output_.require({start_, end_}, 1, json_);
   StepFiles files = read();
   CollapseCheck collapse(files.mesh);
-  collapse.look(start_, files.start);
-  collapse.look(end_, files.end);
+  collapse.look(start_.string(), files.start);
+  collapse.look(end_.string(), files.end);
   Options options = options_for(files.mesh);
   std::optional<Mesh> asked = collapse.passes() ? std::move(files.mesh) : collapse.rest();
   if (!asked) return collapse.refuse(json_);
@@ -41,7 +41,7 @@ int Contacts::run() {
 void Contacts::write(const Detector& detector, const StepFiles& files, std::span<const Contact> contacts) const {
   if (output_.path().empty()) return;
   io::Recording recording{detector.mesh(), detector.options(), 1, {}, {files.start, files.end}, {}};
-  for (const std::filesystem::path name : {start_, end_})
+  for (const std::filesystem::path& name : {start_, end_})
     recording.names.push_back(utf8_text(name.filename().string()));
   recording.at_start = own().at_start;
   recording.steps.push_back({{contacts.begin(), contacts.end()}, detector.statistics().stages});
@@ -64,7 +64,7 @@ void Contacts::report(const Tally& tally, const CollapseCheck& collapse, const D
   if (!collapse.passes()) collapse.print();
   print_ignored(detector.statistics());
   if (tally.is_free() && collapse.passes()) start_check_.print();
-  if (!output_.path().empty()) fmt::print("written to      {}\n", printable(output_.path()));
+  if (!output_.path().empty()) fmt::print("written to      {}\n", printable(output_.path().string()));
   print_costs(detector.statistics(), timing, repeat_);
 }
 

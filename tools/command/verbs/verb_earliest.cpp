@@ -28,8 +28,8 @@ class Earliest final : public StepVerb {
   int run() override {
     StepFiles files = read();
     CollapseCheck collapse(files.mesh);
-    collapse.look(StepVerb::start_, files.start);
-    collapse.look(end_, files.end);
+    collapse.look(StepVerb::start_.string(), files.start);
+    collapse.look(end_.string(), files.end);
     Options options = options_for(files.mesh);
     std::optional<Mesh> asked = collapse.passes() ? std::move(files.mesh) : collapse.rest();
     if (!asked) return collapse.refuse(json_);

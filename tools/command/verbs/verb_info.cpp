@@ -23,7 +23,7 @@ class Info final : public Verb {
            "  tamis info cloth.obj --json";
   }
   void declare(OptionList& options) override {
-    options.add_text("MESH", path_, io::mesh_format_names()).required();
+    options.add_path("MESH", path_, io::mesh_format_names()).required();
     weld_.declare(options);
     declare_json(options, json_);
   }
@@ -87,7 +87,7 @@ class Info final : public Verb {
     fmt::print("{:<19} {}\n", "box", text_of(f.box));
   }
 
-  std::string path_;
+  std::filesystem::path path_;
   WeldArgument weld_;
   bool json_ = false;
 };

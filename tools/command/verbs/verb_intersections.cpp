@@ -47,7 +47,7 @@ class IntersectionsVerb final : public PoseVerb {
     const std::vector<Point> positions = file.positions;
     Mesh mesh = io::mesh_of(std::move(file));
     CollapseCheck collapse(mesh);
-    collapse.look(path_, positions);
+    collapse.look(path_.string(), positions);
     std::optional<Mesh> asked = collapse.passes() ? std::move(mesh) : collapse.rest();
     if (!asked) return collapse.refuse(json_);
     Detector detector = detector_for(std::move(*asked));
@@ -81,7 +81,7 @@ class IntersectionsVerb final : public PoseVerb {
           "proven\n");
     else
       print_table(found);
-    if (!output_.path().empty()) fmt::print("\nwritten to      {}\n", printable(output_.path()));
+    if (!output_.path().empty()) fmt::print("\nwritten to      {}\n", printable(output_.path().string()));
     print_costs(detector.statistics(), timing, repeat_, "edge-face");
   }
 

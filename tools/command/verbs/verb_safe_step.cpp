@@ -35,7 +35,8 @@ class SafeStepLength final : public StepVerb {
     SafeStep safe;
     const Timing timing =
         ask_repeatedly(detector, repeat_, [&] { safe = detector.safe_step(step, keep_.part(), own()); });
-    if (safe.toi_lower < 1) note_causes(detector.mesh(), StepVerb::start_, step.start, end_, step.end);
+    if (safe.toi_lower < 1)
+      note_causes(detector.mesh(), StepVerb::start_.string(), step.start, end_.string(), step.end);
     report(safe, detector, timing);
     return kSuccess;
   }

@@ -33,7 +33,7 @@ class Scene final : public Verb {
     for (const auto& scene : simulation::simulated_scenes())
       names += fmt::format("{}{}: {}", names.empty() ? "" : "; ", scene.name, scene.description);
     options.add_text("NAME", scene_, names).required();
-    options.add_text("--out", folder_, "the folder of the frames; made if it is not there")
+    options.add_path("--out", folder_, "the folder of the frames; made if it is not there")
         .shown_as("FOLDER")
         .required();
     options.add_number("--frames", "N", frames_, {0, 9999}, "frames after the first; default: the whole scene");
@@ -55,7 +55,8 @@ class Scene final : public Verb {
                          progress.show(static_cast<std::size_t>(simulator.frame()));
                        });
     progress.clear();
-    fmt::print("scene           {}, {} frames after the first in {}\n", scene.name, frames, printable(folder_));
+    fmt::print("scene           {}, {} frames after the first in {}\n", scene.name, frames,
+               printable(folder_.string()));
     fmt::print("substeps        {} now, each proven free of contacts\n", sum.substeps);
     fmt::print("constraints     {} contacts, {} rounds of repair, {} vertices in impact zones\n", sum.touches,
                sum.repairs, sum.zone_vertices);
@@ -87,7 +88,8 @@ class Scene final : public Verb {
   static constexpr int kLeastTriangles = 500;
   static constexpr int kMostTriangles = 10'000'000;
 
-  std::string scene_, folder_;
+  std::string scene_;
+  std::filesystem::path folder_;
   int frames_ = -1;
   int triangles_ = -1;
   std::uint64_t seed_ = 1;

@@ -63,7 +63,7 @@ class Truncate final : public StepVerb {
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { to = detector.truncate(step, keep_, own()); });
     if (!out_.empty()) io::write_ply(out_, frame_of(detector.mesh(), files, to.positions));
     const double part = part_of_way(detector.mesh(), step, to.positions);
-    if (!to.is_free || part < 1) note_causes(detector.mesh(), start_, step.start, end_, step.end);
+    if (!to.is_free || part < 1) note_causes(detector.mesh(), start_.string(), step.start, end_.string(), step.end);
     report(to, part, detector, timing);
     return to.is_free ? kSuccess : kNo;
   }
@@ -81,12 +81,12 @@ class Truncate final : public StepVerb {
         "truncated       to {:.6g} of the way, that of all vertices added up; {}\n", part,
         to.is_free ? "the straight way there is free, proven" : "something touches at the start, and comes no nearer");
     if (to.is_free) start_check_.print();
-    if (!out_.empty()) fmt::print("written to      {}\n", printable(out_));
+    if (!out_.empty()) fmt::print("written to      {}\n", printable(out_.string()));
     print_costs(detector.statistics(), timing, repeat_);
   }
 
   StartCheck start_check_;
-  std::string out_;
+  std::filesystem::path out_;
   double keep_ = 0.1;
 };
 

@@ -72,8 +72,9 @@ class View final : public MotionVerb {
     const std::string name = frames.paths().front().string();
     UncollapsedAsker asker(whole);
     Detector* detector = asker.detector_for(name, name, {positions, positions});
-    io::Recording recording = recording_of(
-        whole, name, positions, detector ? detector->intersections(positions) : std::span<const Intersection>());
+    io::Recording recording =
+        recording_of(whole, frames.paths().front(), positions,
+                     detector ? detector->intersections(positions) : std::span<const Intersection>());
     if (detector) recording.pose->stages = detector->statistics().stages;
     recording.pose->collapsed = asker.collapse().text();
     return recording;
@@ -115,12 +116,13 @@ class View final : public MotionVerb {
   }
 
   void report(const io::Recording& recording) const {
-    const std::string& out = output_.path();
+    const std::filesystem::path& out = output_.path();
     Tally total;
     for (const io::RecordedStep& step : recording.steps) total.add_counts(tally_of(step.contacts));
     const auto bytes = std::filesystem::is_regular_file(out) ? std::filesystem::file_size(out) : 0;
     if (json_) {
-      Json json{{"out", out}, {"bytes", bytes}, {"steps", recording.steps.size()}, {"contacts", json_of(total)}};
+      Json json{
+          {"out", out.string()}, {"bytes", bytes}, {"steps", recording.steps.size()}, {"contacts", json_of(total)}};
       json["intersections"] = recording.pose ? Json(recording.pose->intersections.size()) : Json();
       return print_json(json);
     }
@@ -131,7 +133,7 @@ class View final : public MotionVerb {
       fmt::print("contacts        {} vertex-face, {} edge-edge{}, in {}\n", grouped(total.vf), grouped(total.ee),
                  of_loose_points(total.ve, total.vv), counted(recording.steps.size(), "step"));
     constexpr double kMegabyte = 1e6;
-    fmt::print("written to      {} ({:.1f} MB)\n", printable(out), static_cast<double>(bytes) / kMegabyte);
+    fmt::print("written to      {} ({:.1f} MB)\n", printable(out.string()), static_cast<double>(bytes) / kMegabyte);
   }
 
   std::vector<std::string> names_;

@@ -63,11 +63,11 @@ class Within final : public PoseVerb {
     fmt::print("within {:<9.4g}{} vertex-face, {} edge-edge, {} vertex-edge, {} vertex-vertex\n", distance_,
                grouped(vf), grouped(ee), grouped(ve), grouped(vv));
     if (!pairs.empty()) fmt::print("smallest        {}\n", nearest->distance);
-    if (!out_.empty()) fmt::print("written to      {}\n", printable(out_));
+    if (!out_.empty()) fmt::print("written to      {}\n", printable(out_.string()));
     print_costs(detector.statistics(), timing, repeat_);
   }
 
-  std::string out_;
+  std::filesystem::path out_;
   double distance_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include "files/file_bytes.hpp"
 #include "files/json_file.hpp"
 #include "files/mesh/frames.hpp"
+#include "files/system.hpp"
 #include "numbers/floating_point_state.hpp"
 
 namespace tamis::io {
@@ -141,7 +142,7 @@ class Parser {
     if (const auto embedded = meshes ? meshes->find(name) : std::nullopt) {
       file_.meshes.push_back({name, embedded_mesh(*embedded)});
     } else {
-      const std::filesystem::path path = folder_ / name;
+      const std::filesystem::path path = folder_ / system::path_of(name);
       file_.meshes.push_back({path.string(), said_of(json, [&] { return read_mesh(path); })});
     }
     return known->second;

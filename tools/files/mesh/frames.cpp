@@ -1,14 +1,13 @@
 #include "files/mesh/frames.hpp"
 
-#include <glob.h>
-
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 #include "files/error.hpp"
 #include "files/mesh/mesh_file.hpp"
 #include "files/mesh/mesh_formats.hpp"
+#include "files/mesh/wildcards.hpp"
+#include "files/system.hpp"
 #include "files/text.hpp"
 
 namespace tamis::io {
@@ -35,45 +34,6 @@ int compare_parts(std::string_view a, std::string_view b) {
   a = without_leading_zeros(a);
   b = without_leading_zeros(b);
   return a.size() != b.size() ? (a.size() < b.size() ? -1 : 1) : a.compare(b);
-}
-
-/// A pattern that this very path matches, and no other.
-std::filesystem::path as_pattern(const std::filesystem::path& path) {
-  std::string pattern;
-  for (const char c : path.string())
-    pattern += std::string_view("*?[]\\").find(c) == std::string_view::npos ? std::string(1, c) : std::string{'\\', c};
-  return pattern;
-}
-
-/// The pattern `name` in `folder`; folders at its front that exist are no pattern, whatever characters they have.
-std::string pattern_of(const std::string& name, const std::filesystem::path& folder) {
-  std::filesystem::path known = folder, rest;
-  std::error_code error;
-  for (const auto& part : std::filesystem::path(name))
-    if (rest.empty() && std::filesystem::is_directory(known / part, error))
-      known /= part;
-    else
-      rest /= part;
-  return as_pattern(known) / rest;
-}
-
-/// The files that match; none if a pattern finds nothing.
-std::vector<std::filesystem::path> matches_of(const std::string& pattern) {
-  glob_t found{};
-  const auto release = [](glob_t* g) { globfree(g); };
-  const std::unique_ptr<glob_t, decltype(release)> guard(&found, release);
-  if (glob(pattern.c_str(), GLOB_NOSORT, nullptr, &found) != 0) return {};
-  return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
-}
-
-/// Brackets stand for themselves, not for a set of characters.
-std::string with_plain_brackets(const std::string& pattern) {
-  std::string plain;
-  for (std::size_t i = 0; i < pattern.size(); ++i) {
-    if (pattern[i] == '[' && (i == 0 || pattern[i - 1] != '\\')) plain += '\\';
-    plain += pattern[i];
-  }
-  return plain;
 }
 
 std::vector<std::filesystem::path> mesh_files_in(const std::filesystem::path& folder) {
@@ -125,11 +85,17 @@ bool natural_less(std::string_view a, std::string_view b) {
 
 std::vector<std::filesystem::path> paths_named(const std::string& name, const std::filesystem::path& folder) {
   std::error_code error;
-  const std::filesystem::path path = folder / name;
+  const std::filesystem::path path = folder / system::path_of(name);
   if (std::filesystem::exists(path, error)) return {path};
-  const std::string pattern = pattern_of(name, folder);
-  std::vector<std::filesystem::path> files = matches_of(pattern);
-  if (files.empty()) files = matches_of(with_plain_brackets(pattern));
+  // Folders at its front that exist are no pattern, whatever characters they have.
+  std::filesystem::path known = folder, pattern;
+  for (const auto& part : system::path_of(name))
+    if (pattern.empty() && std::filesystem::is_directory(known / part, error))
+      known /= part;
+    else
+      pattern /= part;
+  std::vector<std::filesystem::path> files = paths_matching(known, pattern, Brackets::are_sets);
+  if (files.empty()) files = paths_matching(known, pattern, Brackets::are_plain);
   if (files.empty())
     throw FileError(path.string(), "", "no such file, and no file matches it as a pattern: check the path");
   return files;
@@ -153,7 +119,8 @@ std::vector<std::filesystem::path> frame_files(const std::vector<std::string>& n
 bool has_own_order(const std::vector<std::string>& names, const std::filesystem::path& folder) {
   return names.size() > 2 && !std::is_sorted(names.begin(), names.end()) &&
          !std::is_sorted(names.begin(), names.end(), natural_less) &&
-         std::all_of(names.begin(), names.end(), [&](const std::string& name) { return is_file(folder / name); });
+         std::all_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return is_file(folder / system::path_of(name)); });
 }
 
 std::string doubt_about_order(const std::filesystem::path& before, const std::filesystem::path& file) {
@@ -165,8 +132,10 @@ std::string doubt_about_order(const std::filesystem::path& before, const std::fi
 
 std::vector<std::filesystem::path> moving_files(const std::vector<std::string>& names,
                                                 const std::filesystem::path& folder) {
-  if (names.size() == 2 && is_file(folder / names[0]) && is_file(folder / names[1]))
-    return {folder / names[0], folder / names[1]};
+  if (names.size() == 2) {
+    const std::filesystem::path first = folder / system::path_of(names[0]), second = folder / system::path_of(names[1]);
+    if (is_file(first) && is_file(second)) return {first, second};
+  }
   return frame_files(names, folder);
 }
 

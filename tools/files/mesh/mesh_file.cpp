@@ -10,6 +10,7 @@
 #include "files/extension.hpp"
 #include "files/file_bytes.hpp"
 #include "files/mesh/mesh_formats.hpp"
+#include "files/system.hpp"
 #include "files/text.hpp"
 #include "numbers/floating_point_state.hpp"
 
@@ -78,7 +79,7 @@ void require_same_count(std::size_t first, std::size_t second, const Names& name
   if (first == second) return;
   throw FileError(names.second, "",
                   fmt::format("{} {}, but {} has {}: give frames of one mesh{}", second, what, names.first, first,
-                              extension_of(names.second) == ".stl" ? kStlFrames : ""));
+                              extension_of(system::path_of(names.second)) == ".stl" ? kStlFrames : ""));
 }
 
 /// Faces or loose edges of one size each, or of the sizes that `counts` lists.

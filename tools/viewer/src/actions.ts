@@ -6,6 +6,7 @@ import { nothingFound, nothingStops, whatEnds } from "./scene/proofs";
 import type { Pair } from "./scene/pair";
 import type { Session } from "./session";
 import type { Viewpoint } from "./view3d/camera";
+import { clearestDirection } from "./view3d/clearest";
 import type { Stage } from "./view3d/stage";
 
 export class Actions {
@@ -136,12 +137,12 @@ export class Actions {
     URL.revokeObjectURL(address);
   }
 
-  /** A view from above and the side, as near as possible with all moving objects in it. */
+  /** The view from which most contacts are seen, as near as possible with all moving objects in it. */
   wholeStep(): Viewpoint {
     const frames = this.frames();
     const shown = this.shownVertices();
     const target = middleOf(shown, frames);
-    const toEye = new Vector3(0.5, 0.42, 0.9).normalize();
+    const toEye = clearestDirection(this.session.view);
     const right = new Vector3(0, 1, 0).cross(toEye).normalize();
     const up = toEye.clone().cross(right);
     const camera = this.stage?.camera.camera;

@@ -3,6 +3,7 @@ import type { Actions } from "./actions";
 import { advance } from "./player";
 import { kFilterKeys, type Session } from "./session";
 import { colourOfTime } from "./colours";
+import { thinned } from "./view3d/large";
 import { emptySegments, type SegmentData } from "./view3d/segments";
 import type { Stage } from "./view3d/stage";
 
@@ -16,8 +17,15 @@ const kColours = new Uint32Array(
 
 const colourAt = (time: number): number => kColours[Math.round(255 * Math.min(Math.max(time, 0), 1))];
 
-/** Segments along the normals of the listed contacts, a fiftieth of the scene long. */
-function normalsOf({ scene, view, rows }: Session): SegmentData {
+/** Normals and features are drawn of at most so many contacts. */
+const kMostFigures = 20_000;
+
+const figuresOf = ({ drawn }: Session): Uint32Array => thinned(drawn, 1, kMostFigures);
+
+/** Segments along the normals of contacts, a fiftieth of the scene long. */
+function normalsOf(session: Session): SegmentData {
+  const { scene, view } = session;
+  const rows = figuresOf(session);
   const { contacts } = scene;
   const { start, end } = view.marks;
   const data = emptySegments(rows.length);
@@ -39,8 +47,10 @@ function normalsOf({ scene, view, rows }: Session): SegmentData {
 /** The number of edges of a feature with so many vertices. */
 const edgesIn = (vertices: number): number => (vertices === 3 ? 3 : vertices - 1);
 
-/** The edges of all listed contacts' features. */
-function featuresOf({ scene, view, rows }: Session): SegmentData {
+/** The edges of contacts' features. */
+function featuresOf(session: Session): SegmentData {
+  const { scene, view } = session;
+  const rows = figuresOf(session);
   const { contacts } = scene;
   const { start, end } = view.step;
   let count = 0;
@@ -78,7 +88,8 @@ export function draw(session: Session, stage: Stage, actions: Actions): void {
     stage.showMarks(session.view.marks);
   });
   store.follow(kFilterKeys, () => {
-    stage.marksChanged();
+    const { first } = session.view.step;
+    stage.chooseMarks(session.drawn.map((contact) => contact - first));
   });
   store.follow([...kFilterKeys, "normals"], () => {
     stage.showNormals(store.now.normals ? normalsOf(session) : null);

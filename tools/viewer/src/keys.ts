@@ -249,10 +249,11 @@ function nameOf(event: KeyboardEvent): string | null {
   return event.key.length === 1 ? event.key.toLowerCase() : event.key;
 }
 
-export function listenToKeys(table: Record<string, KeyAction[]>): void {
+/** Until the signal. */
+export function listenToKeys(table: Record<string, KeyAction[]>, signal: AbortSignal): void {
   const actions = new Map<string, KeyAction>();
   for (const action of Object.values(table).flat()) for (const key of action.keys) actions.set(key, action);
-  document.addEventListener("keydown", (event) => {
+  const take = (event: KeyboardEvent): void => {
     const target = event.target as HTMLElement;
     const key = nameOf(event);
     if (key === null) return;
@@ -264,5 +265,6 @@ export function listenToKeys(table: Record<string, KeyAction[]>): void {
     if (!action || isTyping || presses || document.querySelector("dialog[open]")) return;
     event.preventDefault();
     action.run(key);
-  });
+  };
+  document.addEventListener("keydown", take, { signal });
 }

@@ -5,7 +5,7 @@ import { mix, type Vec3 } from "./vectors";
 
 const kReachPixels = 14;
 
-/** The contact that is drawn nearest to a place on the canvas, in CSS pixels; -1 if none is near. */
+/** The drawn contact nearest to a place on the canvas, in CSS pixels; -1 if none is near. */
 export function contactAt(session: Session, stage: Stage, x: number, y: number): number {
   const { start, end, toi } = session.view.marks;
   const { time } = session.store.now;
@@ -13,7 +13,7 @@ export function contactAt(session: Session, stage: Stage, x: number, y: number):
   let best = -1;
   let bestDistance = kReachPixels;
   let bestDepth = Infinity;
-  for (const i of session.rows) {
+  for (const i of session.drawn) {
     const k = i - first;
     if (toi[k] > time + 1e-6) continue;
     const place = (at: Float32Array): Vec3 => [at[3 * k], at[3 * k + 1], at[3 * k + 2]];

@@ -4,6 +4,10 @@ import { listed } from "./scene/filter";
 import type { Scene } from "./scene/scene";
 import { StepView } from "./scene/step_view";
 import type { Key, Store } from "./store";
+import { thinned } from "./view3d/large";
+
+/** More marks hide each other, and a page with more does not answer. */
+export const kMostMarks = 150_000;
 
 export const kFilterKeys: Key[] = [
   "step",
@@ -22,18 +26,20 @@ export class Session {
   view: StepView;
   /** The listed contacts, in the order of the list. */
   rows: Uint32Array = new Uint32Array();
+  /** The listed contacts that are drawn: all, or at equal distances in the list as many as can be told apart. */
+  drawn: Uint32Array = new Uint32Array();
   pair: Pair | null = null;
 
   constructor(
     readonly scene: Scene,
     readonly store: Store,
   ) {
-    this.view = new StepView(scene, scene.step(store.now.step));
+    this.view = new StepView(scene, scene.step(store.now.step), null);
     store.follow(["step", "up"], () => {
       const { step, up } = store.now;
       if (this.view.step.index === step && scene.up === up) return;
       scene.up = up;
-      this.view = new StepView(scene, scene.step(step));
+      this.view = new StepView(scene, scene.step(step), this.view.step.index === step ? this.view : null);
     });
     store.follow(kFilterKeys, () => {
       this.refilter();
@@ -82,11 +88,7 @@ export class Session {
 
   private refilter(): void {
     this.rows = listed(this.view, this.store.now);
-    const { flags } = this.view.marks;
-    const { first } = this.view.step;
-    const { contacts } = this.scene;
-    const kHidden = 2;
-    flags.fill(kHidden);
-    for (const i of this.rows) flags[i - first] = contacts.isUnresolved(i) ? 1 : 0;
+    // In the order of contacts, so that a mark hides the same others however the list is sorted.
+    this.drawn = thinned(this.rows, 1, kMostMarks).slice().sort();
   }
 }

@@ -95,3 +95,16 @@ export async function picture(page: Page, name: string): Promise<void> {
   mkdirSync(pictures, { recursive: true });
   await page.screenshot({ path: join(pictures, `${name}.png`) });
 }
+
+/** How long a key takes until the page has drawn twice, in milliseconds: the best of three, as other programs run, too. */
+export async function answerTo(page: Page, key: string): Promise<number> {
+  const times: number[] = [];
+  for (let i = 0; i < 3; ++i) {
+    const pressed = performance.now();
+    await page.keyboard.press(key);
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    times.push(performance.now() - pressed);
+    await page.waitForTimeout(250);
+  }
+  return Math.min(...times);
+}

@@ -2,8 +2,8 @@
 import assert from "node:assert/strict";
 import { readFileSync, statSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import type { Browser, Page } from "playwright-core";
-import { launch, open, picture, settled } from "./browser";
+import type { Browser } from "playwright-core";
+import { answerTo, launch, open, picture, settled } from "./browser";
 import { grouped } from "../src/numbers";
 import { Folder, obj, sheet } from "./command";
 
@@ -170,19 +170,6 @@ void test(`${part} million triangles open`, async () => {
   assert.deepEqual(faults, []);
 });
 
-/** How long a key takes until the page has drawn twice, in milliseconds: the best of three, as other programs run, too. */
-async function answerTo(page: Page, key: string): Promise<number> {
-  const times: number[] = [];
-  for (let i = 0; i < 3; ++i) {
-    const pressed = performance.now();
-    await page.keyboard.press(key);
-    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-    times.push(performance.now() - pressed);
-    await page.waitForTimeout(250);
-  }
-  return Math.min(...times);
-}
-
 // Bug: without a graphics card a key waits until all that was asked for before is drawn, for up to half a minute.
 void test("a large page answers every key within a second, and then draws the whole", async () => {
   const { page, faults } = await open(browser, folder.file("triangles.html"));
@@ -205,7 +192,7 @@ void test("a large page answers every key within a second, and then draws the wh
   const inSlices = await canvas.screenshot();
   // Bug: slices leave out a part, or draw transparent parts before what is behind them.
   await page.evaluate(() => {
-    (window.tamis!.stage as unknown as { drafts: boolean }).drafts = false;
+    (window.tamis!.stage as unknown as { isSoftware: boolean }).isSoftware = false;
     window.tamis!.stage!.request();
   });
   await settled(page);

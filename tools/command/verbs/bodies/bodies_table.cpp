@@ -7,6 +7,7 @@
 
 #include "command/answers.hpp"
 #include "command/command_line/verb.hpp"
+#include "files/system.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -106,7 +107,7 @@ Json BodiesTable::totals_json(const Options& options, const Statistics& statisti
             {"free_steps", free_steps_},
             {"first_not_free", first_not_free_ ? Json(*first_not_free_) : Json()},
             {"seconds", {{"total", timing_.warm.total}}},
-            {"peak_memory_bytes", peak_memory_bytes()},
+            {"peak_memory_bytes", system::peak_memory_bytes()},
             {"threads", statistics.threads},
             {"min_separation", options.min_separation},
             {"isa", name_of(statistics.isa)}};

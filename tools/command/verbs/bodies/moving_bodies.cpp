@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "command/command_line/messages.hpp"
+#include "files/system.hpp"
 
 namespace tamis::cli {
 
@@ -53,8 +54,9 @@ const io::MeshFile& MovingBodies::mesh_of(std::size_t body) const {
 
 std::vector<std::filesystem::path> MovingBodies::inputs() const {
   std::vector<std::filesystem::path> inputs{path_};
-  for (const auto& mesh : file_.meshes) inputs.emplace_back(mesh.name);
-  for (const auto& body : file_.bodies) inputs.insert(inputs.end(), body.frames.begin(), body.frames.end());
+  for (const auto& mesh : file_.meshes) inputs.push_back(system::path_of(mesh.name));
+  for (const auto& body : file_.bodies)
+    for (const std::string& frame : body.frames) inputs.push_back(system::path_of(frame));
   return inputs;
 }
 

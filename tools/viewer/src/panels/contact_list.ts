@@ -78,7 +78,7 @@ export class ContactList {
   }
 
   private refresh(): void {
-    const { rows, view, scene } = this.session;
+    const { rows, drawn, view, scene } = this.session;
     const { count } = view.step;
     const noun = nounOf(scene.header);
     const height = Math.min(rows.length * this.rowHeight, kTallest);
@@ -89,6 +89,7 @@ export class ContactList {
         : rows.length === count
           ? counted(count, noun)
           : `${grouped(rows.length)} of ${counted(count, noun)}`;
+    if (drawn.length < rows.length) this.summary.textContent += `; ${grouped(drawn.length)} of them are drawn`;
     this.summary.dataset.count = String(rows.length);
     this.scroller.scrollTop = 0;
     this.drawRows();

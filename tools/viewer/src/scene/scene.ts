@@ -1,9 +1,11 @@
 // The mesh, its frames, and the contacts of each step between two frames; or a single frame with its intersections, as
 // a step without motion.
 import { Contacts } from "./contacts";
-import { endsOf, type SceneHeader, type StepHeader } from "./header";
+import { counted } from "../numbers";
+import type { Say } from "../panels/opening";
+import { endsOf, nounOf, type SceneHeader, type StepHeader } from "./header";
 import { Objects } from "./objects";
-import { SceneFile } from "./scene_file";
+import type { SceneFile } from "./scene_file";
 import type { Up } from "../store";
 import type { Vec3 } from "../vectors";
 
@@ -25,7 +27,6 @@ export class Scene {
   /** The axis of the mesh that points up in the drawing. */
   up: Up = "y";
   readonly header: SceneHeader;
-  readonly contacts: Contacts;
   readonly faces: Uint32Array;
   readonly rods: Uint32Array;
   readonly loosePoints: Uint32Array;
@@ -36,9 +37,11 @@ export class Scene {
   private readonly centre: [number, number, number];
   private readonly firstOfStep: number[] = [0];
 
-  private constructor(file: SceneFile) {
+  private constructor(
+    file: SceneFile,
+    readonly contacts: Contacts,
+  ) {
     this.header = file.header;
-    this.contacts = new Contacts(file);
     this.faces = file.integers("faces", 3);
     this.rods = file.integers("rods", 2);
     this.loosePoints = file.integers("loose_points", 1);
@@ -52,8 +55,13 @@ export class Scene {
     }
   }
 
-  static async read(text: string): Promise<Scene> {
-    return new Scene(await SceneFile.read(text));
+  static async read(file: SceneFile, say: Say): Promise<Scene> {
+    const { steps, mesh } = file.header;
+    const pairs = steps.reduce((sum, step) => sum + contactsOf(step), 0);
+    await say(`Unpacking ${counted(pairs, nounOf(file.header))}`, 0.4);
+    const contacts = new Contacts(file);
+    await say(`Unpacking ${counted(mesh.faces, "triangle")}`, 0.5);
+    return new Scene(file, contacts);
   }
 
   get stepCount(): number {

@@ -1,4 +1,5 @@
 // Reads the scene that tools/files/view/scene_bytes.cpp writes into the page: header and columns, compressed by zlib, as base64.
+import type { Say } from "../panels/opening";
 import { fromDifferences, fromPlanes } from "./columns";
 import type { SceneHeader } from "./header";
 
@@ -9,9 +10,28 @@ function bytesOfBase64(text: string): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-async function inflate(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+/** So many characters are read at once. */
+const kSlice = 2 ** 22;
+
+/** Decodes base64 with line breaks, and inflates it. */
+async function inflate(text: string, say: Say): Promise<Uint8Array> {
+  const { readable, writable } = new DecompressionStream("deflate");
+  const writer = writable.getWriter();
+  const megabytes = (length: number): string => (length / 1e6).toFixed(1);
+  const feed = async (): Promise<void> => {
+    let rest = "";
+    for (let at = 0; at < text.length; at += kSlice) {
+      await say(`Reading ${megabytes(at)} of ${megabytes(text.length)} MB`, (0.4 * at) / text.length);
+      const characters = rest + text.slice(at, at + kSlice).replace(/\s+/g, "");
+      const whole = characters.length - (characters.length % 4);
+      rest = characters.slice(whole);
+      await writer.write(bytesOfBase64(characters.slice(0, whole)));
+    }
+    await writer.write(bytesOfBase64(rest));
+    await writer.close();
+  };
+  const [inflated] = await Promise.all([new Response(readable).arrayBuffer(), feed()]);
+  return new Uint8Array(inflated);
 }
 
 /** The columns of a scene by name. */
@@ -19,14 +39,15 @@ export class SceneFile {
   readonly header: SceneHeader;
   private readonly columns: Uint8Array;
 
-  private constructor(bytes: Uint8Array) {
+  /** Throws unless the bytes are those of a scene. */
+  constructor(bytes: Uint8Array) {
     const length = new DataView(bytes.buffer).getUint32(0, true);
     this.header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))) as SceneHeader;
     this.columns = bytes.subarray(4 + length);
   }
 
-  static async read(text: string): Promise<SceneFile> {
-    return new SceneFile(await inflate(bytesOfBase64(text)));
+  static async read(text: string, say: Say): Promise<SceneFile> {
+    return new SceneFile(await inflate(text, say));
   }
 
   integers(name: string, width: number): Uint32Array {

@@ -13,15 +13,15 @@ export class StepView {
   /** The contacts, sorted by time of impact. */
   readonly byTime: Uint32Array;
 
+  /** `turned`: a view of the same step, with another axis upward; null if there is none. */
   constructor(
     readonly scene: Scene,
     readonly step: Step,
+    turned: StepView | null,
   ) {
     this.marks = this.place();
-    this.firstTouch = this.touches();
-    const { toiLower } = scene.contacts;
-    this.byTime = new Uint32Array(step.count).map((_, i) => step.first + i);
-    this.byTime.sort((a, b) => toiLower[a] - toiLower[b] || a - b);
+    this.firstTouch = turned?.firstTouch ?? this.touches();
+    this.byTime = turned?.byTime ?? this.sorted();
   }
 
   /** The first certified contact or intersection, a new one if there is one; -1 if there are none. */
@@ -36,13 +36,19 @@ export class StepView {
     return this.byTime.find((i) => !isIntersection(this.scene.contacts, i)) ?? -1;
   }
 
+  private sorted(): Uint32Array {
+    const { toiLower } = this.scene.contacts;
+    const contacts = new Uint32Array(this.step.count).map((_, i) => this.step.first + i);
+    return contacts.sort((a, b) => toiLower[a] - toiLower[b] || a - b);
+  }
+
   private place(): MarkData {
     const { scene, step } = this;
     const { contacts } = scene;
     const start = new Float32Array(3 * step.count);
     const end = new Float32Array(3 * step.count);
     const toi = new Float32Array(step.count);
-    const flags = new Float32Array(step.count);
+    const unresolved = new Float32Array(step.count);
     for (let k = 0; k < step.count; ++k) {
       const i = step.first + k;
       // The first feature is a vertex or an edge.
@@ -55,9 +61,9 @@ export class StepView {
         end[3 * k + axis] = (1 - along) * step.end[a + axis] + along * step.end[b + axis];
       }
       toi[k] = contacts.toiLower[i];
-      flags[k] = contacts.isUnresolved(i) ? 1 : 0;
+      unresolved[k] = contacts.isUnresolved(i) ? 1 : 0;
     }
-    return { start, end, toi, flags };
+    return { start, end, toi, unresolved };
   }
 
   private touches(): Float32Array {

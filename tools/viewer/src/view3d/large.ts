@@ -2,22 +2,31 @@
 import { LineSegments, Mesh, Points } from "three";
 import type { BufferGeometry, Camera, InstancedBufferGeometry, Object3D, Scene, WebGLRenderer } from "three";
 
-/** Scenes with more vertices to process than this are drawn in slices; smaller ones at once. */
-export const kLarge = 400_000;
-/** How many triangles and marks a draft has at most. */
+/** Pictures that cost more than this are drawn in slices, smaller ones at once. The unit is one vertex of a triangle. */
+const kLarge = 400_000;
+/** Prices of one vertex where the processor draws, measured: a point covers pixels, a segment is blended. */
+const kPointPrice = 2;
+const kSegmentPrice = 6;
+/** A draft has at most so many triangles, points and segments. */
 const kDraftTriangles = 60_000;
-export const kDraftMarks = 10_000;
-/** How many vertices a slice has at most, a multiple of 2 and 3: some twentieth of a second where the processor draws. */
-export const kSlice = 59_994;
+export const kDraftPoints = 10_000;
+export const kDraftSegments = 2_000;
+/** A slice has at most so many vertices, a multiple of 2 and 3: some twentieth of a second where the processor draws. */
+const kSlice = 59_994;
+/** So many segments are one object of the scene, so that they can be drawn in slices. */
+export const kSegmentSlice = 2_500;
 
-/** Takes rows of `width` numbers in equal distances, so that at most `most` are left. */
-export function thinned(rows: Uint32Array, width: number, most: number): Uint32Array {
+type Numbers = Uint32Array | Float32Array | Uint8Array;
+
+/** Returns rows of `width` numbers at equal distances: `most` of them, or all if there are fewer. */
+export function thinned<Rows extends Numbers>(rows: Rows, width: number, most: number): Rows {
   const count = rows.length / width;
-  const stride = Math.ceil(count / most);
-  if (stride <= 1) return rows;
-  const kept = new Uint32Array(width * Math.ceil(count / stride));
-  for (let i = 0; i * stride < count; ++i)
-    for (let k = 0; k < width; ++k) kept[width * i + k] = rows[width * i * stride + k];
+  if (count <= most) return rows;
+  const kept = new (rows.constructor as new (length: number) => Rows)(width * most);
+  for (let i = 0; i < most; ++i) {
+    const from = width * Math.floor((i * count) / most);
+    for (let k = 0; k < width; ++k) kept[width * i + k] = rows[from + k];
+  }
   return kept;
 }
 
@@ -50,7 +59,14 @@ export function coarse(faces: Uint32Array, objects: Int32Array, positions: Float
     left[count++] = c;
   }
   const isEnough = count > 3 * 0.2 * kDraftTriangles;
-  return thinned(isEnough ? left.subarray(0, count) : faces, 3, kDraftTriangles);
+  return thinned<Uint32Array>(isEnough ? left.subarray(0, count) : faces, 3, kDraftTriangles);
+}
+
+/** Returns whether drawing the scene takes noticeable time where the processor draws. */
+export function isLarge(world: Object3D): boolean {
+  const price = ({ object, isInstanced }: Leaf): number =>
+    isInstanced ? kSegmentPrice : object instanceof Points ? kPointPrice : 1;
+  return leavesOf(world).reduce((sum, leaf) => sum + leaf.count * price(leaf), 0) > kLarge;
 }
 
 /** An object of the scene that is drawn, and how many vertices are processed for it. */

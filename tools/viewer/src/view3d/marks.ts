@@ -1,13 +1,13 @@
 // Draws contacts as round marks that move with their features, in two draw calls for any number of contacts.
 import { BufferAttribute, BufferGeometry, GreaterDepth, Group, LessEqualDepth, Points, ShaderMaterial } from "three";
 import { kMotion } from "./shaders";
-import { kDraftMarks, thinned } from "./large";
+import { kDraftPoints, thinned } from "./large";
 import type { SharedUniforms } from "./shared";
 
 const kVertex = /* glsl */ `
 ${kMotion}
 attribute float toi;
-attribute float flags;
+attribute float unresolved;
 uniform float diameter;
 uniform float pixelRatio;
 uniform vec2 brush;
@@ -19,8 +19,8 @@ varying float vRim;
 void main() {
   vec4 at = projectionMatrix * modelViewMatrix * vec4(moved(), 1.0);
   at.z -= 2e-4 * at.w;
-  bool shown = flags < 1.5 && toi <= time + 1e-6 && toi >= brush.x && toi <= brush.y && focusRadius == 0.0;
-  vUnresolved = flags;
+  bool shown = toi <= time + 1e-6 && toi >= brush.x && toi <= brush.y && focusRadius == 0.0;
+  vUnresolved = unresolved;
   // Small marks have no room for a rim.
   vRim = diameter > 5.0 ? 1.0 : 0.0;
   // Just touched: larger for a moment.
@@ -51,8 +51,8 @@ export interface MarkData {
   start: Float32Array;
   end: Float32Array;
   toi: Float32Array;
-  /** 1: unresolved; 2: left out by the filter. */
-  flags: Float32Array;
+  /** 1: unresolved. */
+  unresolved: Float32Array;
 }
 
 export class Marks extends Group {
@@ -85,18 +85,18 @@ export class Marks extends Group {
     this.geometry.setAttribute("position", new BufferAttribute(data.start, 3));
     this.geometry.setAttribute("end", new BufferAttribute(data.end, 3));
     this.geometry.setAttribute("toi", new BufferAttribute(data.toi, 1));
-    this.geometry.setAttribute("flags", new BufferAttribute(data.flags, 1));
+    this.geometry.setAttribute("unresolved", new BufferAttribute(data.unresolved, 1));
     for (const [name, attribute] of Object.entries(this.geometry.attributes)) this.few.setAttribute(name, attribute);
-    const all = Uint32Array.from(data.toi, (_, i) => i);
-    this.few.setIndex(new BufferAttribute(thinned(all, 1, kDraftMarks), 1));
     // Marks of many contacts are small, or they would hide each other.
     const [few, many] = [200, 50000];
     const crowd = Math.min(Math.max(Math.log(data.toi.length / few) / Math.log(many / few), 0), 1);
     for (const points of this.passes) points.material.uniforms.diameter.value = 9 - 6 * crowd;
   }
 
-  filterChanged(): void {
-    this.geometry.getAttribute("flags").needsUpdate = true;
+  /** Draws the contacts at these places of the data alone. */
+  choose(places: Uint32Array): void {
+    this.geometry.setIndex(new BufferAttribute(places, 1));
+    this.few.setIndex(new BufferAttribute(thinned(places, 1, kDraftPoints), 1));
   }
 
   /** Draws some marks alone. */

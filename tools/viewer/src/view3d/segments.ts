@@ -8,7 +8,7 @@ import {
   ShaderMaterial,
   type IUniform,
 } from "three";
-import { kSlice } from "./large";
+import { kDraftSegments, kSegmentSlice, thinned } from "./large";
 import type { SharedUniforms } from "./shared";
 
 const kVertex = /* glsl */ `
@@ -70,11 +70,10 @@ export interface SegmentStyle {
   time?: IUniform<number>;
 }
 
-/** So many segments are one object of the scene, so that a large number can be drawn in slices. */
-const kChunk = Math.floor(kSlice / 6);
-
 export class Segments extends Group {
   private readonly material: ShaderMaterial;
+  /** Some of many segments; null if there are few. */
+  private few: Mesh | null = null;
 
   constructor(shared: SharedUniforms, style: SegmentStyle) {
     super();
@@ -98,17 +97,17 @@ export class Segments extends Group {
     for (const chunk of this.children) (chunk as Mesh).geometry.dispose();
     this.clear();
     const count = data.fromStart.length / 3;
-    for (let from = 0; from < count; from += kChunk) this.add(this.chunk(data, from, Math.min(from + kChunk, count)));
+    for (let from = 0; from < count; from += kSegmentSlice)
+      this.add(this.chunk(data, from, Math.min(from + kSegmentSlice, count)));
+    const few = thinnedSegments(data);
+    this.few = few === data ? null : this.chunk(few, 0, few.fromStart.length / 3);
+    if (this.few) this.add(this.few);
+    this.draft = false;
   }
 
-  /** Draws at most so many segments; Infinity: all. */
-  limitTo(most: number): void {
-    this.children.forEach((chunk, i) => {
-      const { geometry } = chunk as Mesh<InstancedBufferGeometry>;
-      const all = geometry.getAttribute("fromStart").count;
-      geometry.instanceCount = Math.min(all, most);
-      chunk.visible = i === 0 || most === Infinity;
-    });
+  /** Draws some segments alone. */
+  set draft(on: boolean) {
+    for (const chunk of this.children) chunk.visible = (chunk === this.few) === (on && this.few !== null);
   }
 
   private chunk(data: SegmentData, from: number, to: number): Mesh {
@@ -126,6 +125,18 @@ export class Segments extends Group {
     mesh.renderOrder = this.renderOrder;
     return mesh;
   }
+}
+
+function thinnedSegments(data: SegmentData): SegmentData {
+  if (data.fromStart.length <= 3 * kDraftSegments) return data;
+  const some = (points: Float32Array) => thinned(points, 3, kDraftSegments);
+  return {
+    fromStart: some(data.fromStart),
+    fromEnd: some(data.fromEnd),
+    toStart: some(data.toStart),
+    toEnd: some(data.toEnd),
+    colour: thinned(data.colour, 4, kDraftSegments),
+  };
 }
 
 /** Segments between vertices of a step, given by pairs of indices. */

@@ -1,17 +1,16 @@
 // The drawing of mesh, contacts and selected pair. A frame is drawn only when something has changed.
-import { Color, Points, Scene as Scene3d, ShaderMaterial, BufferGeometry, BufferAttribute, Vector3 } from "three";
-import { WebGLRenderer } from "three";
+import { Color, Scene as Scene3d, Vector3, WebGLRenderer } from "three";
 import { el } from "../dom";
 import type { Pair } from "../scene/pair";
 import type { Scene, Step } from "../scene/scene";
 import type { Theme } from "../store";
 import type { Vec3 } from "../vectors";
 import { Camera } from "./camera";
-import { kDraftMarks, kLarge, Slices } from "./large";
+import { isLarge, Slices } from "./large";
+import { LoosePoints } from "./loose_points";
 import { Marks, type MarkData } from "./marks";
 import { Pair3d } from "./pair3d";
 import { Segments, segmentsBetween, type SegmentData } from "./segments";
-import { kMotion } from "./shaders";
 import { sharedUniforms } from "./shared";
 import { Surface } from "./surface";
 
@@ -20,26 +19,6 @@ const kPause = 150;
 const kDraftRatio = 0.5;
 
 const kInk: Record<Theme, number> = { dark: 0xe8eef7, light: 0x10151d };
-
-function loosePointsMaterial(shared: ReturnType<typeof sharedUniforms>): ShaderMaterial {
-  return new ShaderMaterial({
-    vertexShader: /* glsl */ `
-${kMotion}
-uniform float pixelRatio;
-void main() {
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(moved(), 1.0);
-  gl_PointSize = 6.0 * pixelRatio;
-}`,
-    fragmentShader: /* glsl */ `
-uniform vec3 ink;
-void main() {
-  if (length(2.0 * gl_PointCoord - 1.0) > 1.0) discard;
-  gl_FragColor = vec4(mix(ink, vec3(0.25, 0.36, 0.55), 0.6), 1.0);
-  #include <colorspace_fragment>
-}`,
-    uniforms: { ...shared },
-  });
-}
 
 export interface FrameCost {
   drawCalls: number;
@@ -64,37 +43,33 @@ export class Stage {
   private readonly normals = new Segments(this.shared, { width: 0.8, nearness: 2e-4 });
   private readonly features = new Segments(this.shared, { width: 0.8, nearness: 2e-4 });
   private readonly rods = new Segments(this.shared, { width: 1.6 });
-  private readonly loose: Points<BufferGeometry, ShaderMaterial>;
+  private readonly loose: LoosePoints;
   private readonly pair3d = new Pair3d(this.shared);
   /** The selected pair, if it is drawn within the scene; null if it is isolated. */
   private shown: Pair | null = null;
-  /** Whether drafts are drawn while anything moves, as the processor draws and the scene is large. */
-  private readonly drafts: boolean;
   /** The last draft, while the whole picture is drawn behind it. */
   private readonly still = el("canvas", { class: "still", "aria-hidden": true });
   private slices: Slices | null = null;
   private wait = 0;
   private requested = false;
+  private isClosed = false;
   private last = 0;
 
   /** Throws if the browser has no WebGL 2. */
   constructor(
     readonly canvas: HTMLCanvasElement,
     private readonly scene: Scene,
-    isSoftware: boolean,
+    private readonly isSoftware: boolean,
   ) {
-    this.drafts = isSoftware && scene.faces.length + 2 * scene.contacts.count > kLarge;
     // Slices add to one picture, and edges are smoothed only where that costs little.
-    this.renderer = new WebGLRenderer({ canvas, antialias: !isSoftware, preserveDrawingBuffer: this.drafts });
+    this.renderer = new WebGLRenderer({ canvas, antialias: !isSoftware, preserveDrawingBuffer: isSoftware });
     this.still.hidden = true;
     canvas.after(this.still);
     this.camera = new Camera(canvas, () => {
       this.request();
     });
     this.surface = new Surface(scene, this.shared);
-    this.loose = new Points(new BufferGeometry(), loosePointsMaterial(this.shared));
-    this.loose.geometry.setIndex(new BufferAttribute(scene.loosePoints, 1));
-    this.loose.frustumCulled = false;
+    this.loose = new LoosePoints(scene.loosePoints, this.shared);
     this.normals.renderOrder = 3;
     this.features.renderOrder = 3;
     this.world.add(this.surface, this.rods, this.loose, this.marks, this.normals, this.features, this.pair3d);
@@ -106,8 +81,7 @@ export class Stage {
 
   showStep(step: Step, firstTouch: Float32Array): void {
     this.surface.show(step, firstTouch);
-    this.loose.geometry.setAttribute("position", new BufferAttribute(step.start, 3));
-    this.loose.geometry.setAttribute("end", new BufferAttribute(step.end, 3));
+    this.loose.show(step);
     this.rods.show(segmentsBetween(this.scene.rods, step.start, step.end, () => [70, 92, 140, 255]));
     this.request();
   }
@@ -117,8 +91,8 @@ export class Stage {
     this.request();
   }
 
-  marksChanged(): void {
-    this.marks.filterChanged();
+  chooseMarks(places: Uint32Array): void {
+    this.marks.choose(places);
     this.request();
   }
 
@@ -166,6 +140,14 @@ export class Stage {
     this.request();
   }
 
+  /** Gives back what the drawing holds of the graphics card. */
+  close(): void {
+    this.isClosed = true;
+    this.stopSlices();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
   /** The place at which a point is drawn, in CSS pixels of the canvas, with its depth; null behind the eye. */
   project(point: Vec3): { x: number; y: number; depth: number } | null {
     const at = new Vector3(...point).project(this.camera.camera);
@@ -182,7 +164,7 @@ export class Stage {
   }
 
   request(): void {
-    if (this.requested) return;
+    if (this.requested || this.isClosed) return;
     this.requested = true;
     this.slices?.stop();
     requestAnimationFrame((now) => {
@@ -192,12 +174,17 @@ export class Stage {
 
   private frame(now: number): void {
     this.requested = false;
+    if (this.isClosed) return;
     const began = performance.now();
     const more = this.beforeFrame(this.last ? Math.min((now - this.last) / 1000, 0.1) : 0);
     this.camera.update();
     this.renderer.setClearAlpha(0);
     this.stopSlices();
-    if (this.drafts) this.useDraft(true);
+    // Drafts are drawn while anything moves, where the processor draws and the whole takes noticeable time.
+    this.useDraft(false);
+    const isDraft = this.isSoftware && isLarge(this.world);
+    this.useDraft(isDraft);
+    this.setSize(isDraft ? kDraftRatio : 1);
     this.placeWindow();
     this.renderer.render(this.world, this.camera.camera);
     this.still.hidden = true;
@@ -209,13 +196,14 @@ export class Stage {
     const again = more || this.camera.isFlying;
     this.last = again ? now : 0;
     if (again) this.request();
-    else if (this.drafts) this.wait = window.setTimeout(() => void this.drawWhole(), kPause);
+    else if (isDraft) this.wait = window.setTimeout(() => void this.drawWhole(), kPause);
   }
 
   /** The drawing as it is now, in full resolution over a background, as the bytes of a PNG. */
   picture(background: string): Promise<Blob | null> {
     this.stopSlices();
-    if (this.drafts) this.useDraft(false);
+    this.useDraft(false);
+    this.setSize(1);
     this.camera.update();
     this.placeWindow();
     this.renderer.render(this.world, this.camera.camera);
@@ -243,6 +231,7 @@ export class Stage {
     this.still.getContext("2d")!.drawImage(this.canvas, 0, 0);
     this.still.hidden = false;
     this.useDraft(false);
+    this.setSize(1);
     this.placeWindow();
     const slices = new Slices(this.renderer, this.world, this.camera.camera);
     this.slices = slices;
@@ -260,10 +249,7 @@ export class Stage {
   }
 
   private useDraft(on: boolean): void {
-    this.surface.draft = on;
-    this.marks.draft = on;
-    for (const segments of [this.normals, this.features, this.rods]) segments.limitTo(on ? kDraftMarks : Infinity);
-    this.setSize(on ? kDraftRatio : 1);
+    for (const part of [this.surface, this.marks, this.loose, this.normals, this.features, this.rods]) part.draft = on;
   }
 
   /** Cuts away the surface that hides the pair. */

@@ -184,6 +184,8 @@ export class Surface extends Group {
   private readonly edges = new LineSegments();
   private hasEdges = false;
   private showsEdges = false;
+  /** The number of the step; -1: none yet. */
+  private shown = -1;
   private readonly mesh: Mesh;
   /** Fewer triangles of the same vertices; made when it is needed. */
   private rough: BufferGeometry | null = null;
@@ -228,7 +230,8 @@ export class Surface extends Group {
     set("normalStart", vertexNormals(this.scene.faces, step.start), 3);
     set("normalEnd", vertexNormals(this.scene.faces, step.end), 3);
     set("firstTouch", firstTouch, 1);
-    set("fineness", fineness(this.scene.faces, step.start), 1);
+    if (step.index !== this.shown) set("fineness", fineness(this.scene.faces, step.start), 1);
+    this.shown = step.index;
     if (this.hasEdges) this.share(this.edges.geometry, ["position", "end"]);
     if (this.rough) this.share(this.rough, Object.keys(this.geometry.attributes));
   }

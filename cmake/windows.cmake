@@ -1,0 +1,16 @@
+# Cross-compiles for 64-bit Windows with Debian's MinGW-w64; Wine runs the programs. scripts/test_windows.sh puts the libraries
+# into TAMIS_WINDOWS_PACKAGES.
+set(CMAKE_SYSTEM_NAME Windows)
+set(CMAKE_SYSTEM_PROCESSOR x86_64)
+set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)
+set(CMAKE_CXX_COMPILER x86_64-w64-mingw32-g++-posix)
+
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES TAMIS_WINDOWS_PACKAGES)
+set(CMAKE_FIND_ROOT_PATH ${TAMIS_WINDOWS_PACKAGES} /usr/x86_64-w64-mingw32)
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+# Programs stand alone: Windows has none of the compiler's libraries.
+set(CMAKE_EXE_LINKER_FLAGS_INIT -static)
+set(CMAKE_CROSSCOMPILING_EMULATOR env WINEDEBUG=-all WINEPREFIX=${TAMIS_WINDOWS_PACKAGES}/wine wine)

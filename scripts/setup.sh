@@ -38,7 +38,7 @@ case ${1:-} in
   --windows) packages+=(g++-mingw-w64-x86-64-posix libz-mingw-w64-dev libboost-dev googletest wine64 wine) ;;
   --wasm)
     [[ $release != bookworm ]] || { echo "setup: Debian 12's emscripten is 3.1.6, and 3.1.50 is needed: use Debian 13" >&2; exit 1; }
-    packages+=(emscripten nodejs googletest libgtest-dev python3)
+    packages+=(emscripten nodejs libfast-float-dev googletest libgtest-dev python3)
     ;;
   --bench) packages+=(libbenchmark-dev libembree-dev libcgal-dev libbullet-dev libfcl-dev python3-matplotlib) ;;
   "") ;;

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# pinned.sh TOOL: prints the path of clang-format or clang-tidy, of the version in scripts/requirements-format.txt. They come from
-# PyPI, into build/format-tools, so that the format does not depend on the system. Exit code 77, and why, if they cannot be had.
+# pinned.sh TOOL [FOLDER REQUIREMENTS]: prints the path of a tool from PyPI, in the version that REQUIREMENTS pins. It is installed
+# into FOLDER, so it does not depend on the system. Without these: clang-format or clang-tidy, of scripts/requirements-format.txt.
+# Exit code 77, and why, if the tool cannot be had.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-folder=$PWD/build/format-tools wanted=scripts/requirements-format.txt
-mkdir -p build
-exec 9>build/format-tools.lock
+folder=$PWD/${2:-build/format-tools} wanted=${3:-scripts/requirements-format.txt}
+mkdir -p "$(dirname "$folder")"
+exec 9>"$folder.lock"
 flock 9
 if ! cmp -s "$wanted" "$folder/installed"; then
   { rm -rf "$folder" && python3 -m venv "$folder" && "$folder/bin/pip" --quiet --disable-pip-version-check install -r "$wanted" &&

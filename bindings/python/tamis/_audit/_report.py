@@ -13,17 +13,14 @@ from tamis._pages import Page, place_for_page, show
 
 
 class AuditReport:
-    """The findings in a motion, frame by frame. They own their memory.
+    """The findings in a motion, frame by frame. They own their memory."""
 
-    Attributes
-    ----------
-    frames : AuditFrames
-        One row a frame.
-    pairs : AuditPairs
-        The intersections and contacts, the first `listed_pairs` of them.
-    """
-
-    __slots__ = ("_facts", "_report", "frames", "pairs")
+    __slots__ = {
+        "_facts": "What the compiled part has found.",
+        "_report": "The compiled part's report.",
+        "frames": "`AuditFrames`: one row a frame.",
+        "pairs": "`AuditPairs`: the intersections and contacts, the first `listed_pairs` of them.",
+    }
 
     frames: AuditFrames
     pairs: AuditPairs

@@ -30,7 +30,7 @@ class NearPair(NamedTuple):
         As in `Contact`.
     distance : float
         The distance between the closed features, in the unit of the positions. Proven: off by at most 2^-41 of the
-        largest |component| of the differences between the pair's vertices.
+        largest component of the differences between the pair's vertices.
     u, v : float
         Weights of two closest points, as in `Contact`. A vertex without a share in them has the weight 0.
     direction : tuple of three float

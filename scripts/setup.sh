@@ -4,6 +4,7 @@
 #   --all-tests    those of scripts/test.sh --all, and the viewer's tools
 #   --python       those to build the module for Python
 #   --blender      Blender, in which the add-on is tested (besides the module bpy)
+#   --site         Doxygen and Python, which build the site (scripts/site.sh)
 #   --arm64        those of the tests on 64-bit ARM
 #   --bench        those of the benchmarks, and the libraries that Tamis is compared with
 # Uses neither apt nor the network if nothing is missing. On other systems it prints what to install.
@@ -25,10 +26,11 @@ case ${1:-} in
     ;;
   --python) packages+=(python3-venv python3-dev) ;;
   --blender) packages+=(blender python3-numpy) ;;
+  --site) packages=(doxygen git python3 python3-venv) ;;
   --arm64) packages+=(g++-aarch64-linux-gnu qemu-user) ;;
   --bench) packages+=(libbenchmark-dev libembree-dev libcgal-dev libbullet-dev libfcl-dev python3-matplotlib) ;;
   "") ;;
-  *) echo "setup: no option is called $1: use --core-tests, --all-tests, --python, --blender, --arm64 or --bench" >&2; exit 2 ;;
+  *) echo "setup: no option is called $1: use --core-tests, --all-tests, --python, --blender, --site, --arm64 or --bench" >&2; exit 2 ;;
 esac
 
 is_installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }

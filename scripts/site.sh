@@ -11,6 +11,7 @@ command -v doxygen >/dev/null || skip "no doxygen: scripts/setup.sh --site insta
 sphinx=$(scripts/pinned.sh sphinx-build build/site-tools tools/site/requirements.txt) || { echo "$sphinx"; exit 77; }
 site=$(realpath -m "${1:-build/site}")
 work=$site.work
+[[ ! -e $site || -e $site/.buildinfo ]] || { echo "site.sh: $site is there and is not a site: give a new folder" >&2; exit 2; }
 rm -rf "$work" "$site"
 mkdir -p "$work/html" "$work/cpp" "$work/c"
 

@@ -7,6 +7,7 @@ import pathlib
 import re
 import sys
 from collections import _tuplegetter
+from collections.abc import Iterator
 
 HERE = pathlib.Path(__file__).resolve().parent
 BUILT = pathlib.Path(os.environ["TAMIS_SITE"])
@@ -14,25 +15,23 @@ sys.path.insert(0, str(HERE))
 from python_module import public_module  # noqa: E402
 
 from sphinx.application import Sphinx  # noqa: E402
+from sphinx.domains.c import CDomain  # noqa: E402
+from sphinx.domains.cpp import CPPDomain  # noqa: E402
 from sphinx.util import logging  # noqa: E402
 
 project = html_title = "Tamis"
 html_theme = "furo"
-html_static_path = [str(HERE / "static")]
-html_css_files = ["site.css"]
 html_extra_path = [str(BUILT / "html")]
 html_show_copyright = html_show_sphinx = html_show_sourcelink = html_copy_source = False
 html_permalinks_icon = "#"
 html_show_search_summary = False  # a page that is read from a file cannot fetch the summaries
 pygments_style, pygments_dark_style = "friendly", "native"
 
-extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 myst_enable_extensions = ["html_image"]
 myst_heading_anchors = 6
-breathe_projects = {"cpp": str(BUILT / "cpp/xml"), "c": str(BUILT / "c/xml")}
-breathe_domain_by_extension = {"h": "c"}
-breathe_show_include = False
 default_role = "code"
+smartquotes = False
 add_module_names = False
 autodoc_typehints = "none"
 autodoc_default_options = {"members": True, "undoc-members": True, "inherited-members": "tuple,BaseException,Exception,OSError,ValueError,int,Generic"}
@@ -58,6 +57,22 @@ def skip_field(app: Sphinx, what: str, name: str, obj: object, skip: bool, optio
     return True if isinstance(obj, _tuplegetter) or getattr(tuple, name, None) is not None else None
 
 
+class Cpp(CPPDomain):
+    """C++ without the parameters of functions, which the search would list one by one."""
+
+    def get_objects(self) -> Iterator[tuple[str, str, str, str, str, int]]:
+        return (each for each in super().get_objects() if each[2] not in ("functionParam", "templateParam"))
+
+
+class C(CDomain):
+    """C without the parameters of functions."""
+
+    def get_objects(self) -> Iterator[tuple[str, str, str, str, str, int]]:
+        return (each for each in super().get_objects() if each[2] != "functionParam")
+
+
 def setup(app: Sphinx) -> None:
+    app.add_domain(Cpp, override=True)
+    app.add_domain(C, override=True)
     app.connect("autodoc-skip-member", skip_field)
     app.connect("autodoc-process-docstring", require_docstring)

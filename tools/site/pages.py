@@ -14,6 +14,7 @@ import shutil
 import subprocess
 import sys
 
+from headers import Header
 from python_module import public_module
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -82,18 +83,22 @@ def navigation(pages: dict[str, str]) -> str:
     return "".join(trees)
 
 
-def headers(title: str, project: str, folder: str, pattern: str, about: str) -> dict[str, str]:
-    """Return the pages of the headers of one language: Breathe fills them in from what Doxygen has read."""
+def first_comment(text: str) -> str:
+    """Return the comment that a header begins with."""
+    found = re.match(r"(?://[^\n]*\n)+|/\*.*?\*/", text, re.DOTALL)[0]
+    return re.sub(r"^ ?(?://|/?\*+/?) ?| \*/$", "", found, flags=re.MULTILINE)
+
+
+def headers(language: str, title: str, folder: str, read: pathlib.Path, about: str) -> dict[str, str]:
+    """Return the pages of the headers of one language, from what Doxygen has read."""
     found, names = {}, []
-    for header in sorted((ROOT / folder).glob(pattern)):
-        first = next(line for line in header.read_text().splitlines() if not line.startswith("#"))
-        names.append(header.stem)
-        name = header.relative_to(ROOT / "include").as_posix()
-        found[f"reference/{project}/{header.stem}.md"] = (
-            f"# {name}\n\n{first.strip('/* ')}\n\n```{{doxygenfile}} {header.name}\n:project: {project}\n"
-            ":sections: briefdescription detaileddescription innerclass innerconcept define typedef enum var func "
-            "public* protected*\n```\n")
-    found[f"reference/{project}/index.md"] = f"# {title}\n\n{about}\n" + tree(names).replace(":hidden:\n", "")
+    for file in sorted((ROOT / folder).glob("*.h*")):
+        if file.name in ("tamis.hpp", "tamis.h"):  # include the others
+            continue
+        names.append(file.stem)
+        header = Header(language, read / "xml", file.relative_to(ROOT / "include").as_posix())
+        found[f"reference/{language}/{file.stem}.rst"] = header.page(first_comment(file.read_text()))
+    found[f"reference/{language}/index.md"] = f"# {title}\n\n{about}\n" + tree(names).replace(":hidden:\n", "")
     return found
 
 
@@ -131,10 +136,10 @@ def main() -> None:
                             check=True, capture_output=True, text=True).stdout.split()
     pages = {place(path): copied(path, folder) for path in listed if (ROOT / path).is_file()}
     pages["index.md"] += tree(["docs/index"]) + navigation(pages)
-    pages |= headers("C++", "cpp", "include/tamis", "*.hpp", "The public headers, in `include/tamis`. "
+    pages |= headers("cpp", "C++", "include/tamis", folder / "cpp", "The public headers, all included by `tamis/tamis.hpp`. "
                      "[From C++](../../docs/cpp.md) leads through them.")
-    pages |= headers("C", "c", "include/tamis/c", "*.h", "The headers of the C interface, all included by `tamis/tamis.h`. "
-                     "[From C](../../docs/c.md) leads through them.")
+    pages |= headers("c", "C", "include/tamis/c", folder / "c", first_comment((ROOT / "include/tamis/tamis.h").read_text())
+                     + "\n\n[From C](../../docs/c.md) leads through it.")
     pages |= python_reference()
     for name, text in pages.items():
         file = folder / "source" / name

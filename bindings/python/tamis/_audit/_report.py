@@ -54,7 +54,7 @@ class AuditReport:
 
     @property
     def steps(self) -> AuditFrames:
-        """The rows of `frames` that have a step: one from the frame before was asked about."""
+        """The rows of `frames` that have a step: the step from the frame before was tested."""
         return self.frames[self.frames.has_step]
 
     @property

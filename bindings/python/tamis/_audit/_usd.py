@@ -29,8 +29,8 @@ def read_usd(stage: str | os.PathLike[str] | Usd.Stage, *, prims: Sequence[str] 
     The frames are at the times at which points or transforms of a mesh are written. If something turns, scales, follows
     a spline or has a skin, they are also at the times of the stage's own frames (framesPerSecond). Each mesh is an
     object with its path as the name. Skinned meshes (UsdSkel) are baked in memory. Subdivision surfaces are taken as
-    their control meshes. Proxies, guides and invisible meshes are left out unless a path in `prims` names them. Point
-    instancers are always left out.
+    their control meshes. Proxies, guides and invisible meshes are skipped unless a path in `prims` names them. Point
+    instancers are always skipped.
 
     Parameters
     ----------

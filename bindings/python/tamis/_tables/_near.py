@@ -111,7 +111,7 @@ class Intersection(NamedTuple):
     Attributes
     ----------
     edge, face : tuple of int
-        Vertex indices: those of the edge ascending, those of the face in the mesh's order.
+        Vertex indices: the edge's ascending, the face's in the mesh's order.
     s_lower, s_upper : float
         The first common point along the edge, from ``edge[0]`` on, has a parameter s in [s_lower, s_upper]: the point
         is (1-s) e0 + s e1.

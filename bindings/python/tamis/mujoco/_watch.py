@@ -29,7 +29,7 @@ class Watch:
         self._known = [array[which].tobytes() for _, array, which in self._model + self._states[id(states[0])]]
 
     def require_same(self, state: Any) -> None:
-        """Raise if the model, or `state` with its kinematics computed, differs from what it was at first."""
+        """Raise if the model, or `state` with its kinematics computed, has changed since the start."""
         for (name, array, which), known in zip(self._model + self._states[id(state)], self._known):
             if array[which].tobytes() != known:
                 raise InvalidStep(

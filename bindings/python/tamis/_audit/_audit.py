@@ -152,7 +152,7 @@ def _ask(source: Any, known: _Known, options: _core.AuditOptions) -> _core.Audit
     suffixes = {os.path.splitext(name)[1].lower() for name in names}
     if suffixes & {".usd", ".usda", ".usdc", ".usdz", ".gltf", ".glb", ".npz"}:
         if len(names) > 1:
-            raise Error(f"{names[0]} and {names[1]} are no frames of one motion: give one such file")
+            raise Error(f"{names[0]} and {names[1]} are not frames of one motion: give one such file")
         return _core.audit_frames(_frames_of_file(names[0], suffixes.pop(), known), options)
     return _ask_files(names, known, options)
 

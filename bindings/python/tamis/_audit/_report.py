@@ -138,5 +138,5 @@ class AuditReport:
     def __repr__(self) -> str:
         frames, steps = len(self.frames), len(self.steps)
         found = f"{len(self.pairs) + self.pairs_left_out} pairs" if len(self.pairs) else "nothing found"
-        not_asked = f", frames that could not be asked: {len(self.problems)}" if self.problems else ""
-        return f"AuditReport({frames} frames, {steps} steps, {found}{not_asked}{', free' if self.is_free else ''})"
+        not_tested = f", frames that could not be tested: {len(self.problems)}" if self.problems else ""
+        return f"AuditReport({frames} frames, {steps} steps, {found}{not_tested}{', free' if self.is_free else ''})"

@@ -99,7 +99,7 @@ class _Meshes:
         self.prims, left_out = shown_meshes(self._stage, [root.GetPath() for root in roots])
         if not self.prims:
             raise FileError(f"{name}: {_why_no_mesh(left_out)}")
-        self._note = f"not asked about, {len(left_out)} prims: {', '.join(left_out[:3])}" if left_out else ""
+        self._note = f"skipped, {len(left_out)} prims: {', '.join(left_out[:3])}" if left_out else ""
         self.times = frame_times(self._stage, self.prims)
 
     def frames(self) -> Iterator[Frame]:

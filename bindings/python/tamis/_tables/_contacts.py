@@ -158,8 +158,8 @@ class Contacts(MovingPairs[Contact], TouchingPairs[Contact]):
     def _question(self) -> Asked:
         if self._asked is None:
             raise Error(
-                "these contacts know no step, as they are of many ranks or were pickled: look at what "
-                "Detector.contacts(start, end) has returned"
+                "these contacts have no step, because they come from many ranks or were pickled: use the contacts "
+                "that Detector.contacts(start, end) returned"
             )
         return self._asked
 

@@ -219,7 +219,5 @@ class Intersections(CrossingPairs[Intersection]):
         places = np.stack([known.find_edges(self.edge), known.find_faces(self.face)], axis=1)
         if (places < 0).any():
             first = self[int(np.argmax((places < 0).any(1)))]
-            raise InvalidMesh(
-                f"the mesh has no edge {first.edge} or no face {first.face}: give the mesh that was asked"
-            )
+            raise InvalidMesh(f"the mesh has no edge {first.edge} or no face {first.face}: give the mesh of the query")
         return places

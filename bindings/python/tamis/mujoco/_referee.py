@@ -206,7 +206,7 @@ class Referee:
         step, passed = self._model.opt.timestep, end - start
         if not abs(passed - step) <= 1e-6 * step:
             raise InvalidStep(
-                f"the simulation has gone on by {passed:.9g} since it was looked at last, and a step takes {step:.9g}: "
+                f"the simulation advanced by {passed:.9g} since the last check, and a step takes {step:.9g}: "
                 "call check() after every mj_step, or restart() after a reset"
             )
         body = self._carriers.turned_too_far(self._data.qvel, step)

@@ -33,6 +33,6 @@ class Watch:
         for (name, array, which), known in zip(self._model + self._states[id(state)], self._known):
             if array[which].tobytes() != known:
                 raise InvalidStep(
-                    f"{name} of what collides is not as it was when the referee was made: make another one after the "
-                    "model was changed"
+                    f"{name} of surfaces that collide has changed since the referee was made: make another one after "
+                    "each change of the model"
                 )

@@ -18,6 +18,7 @@ from headers import Header
 from python_module import public_module
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+DOCUMENTS = "docs/README.md"  # its parts and links, in their order, are the navigation
 LINK = re.compile(r"(!?\[[^\]]*\])\(([^)\s]+)\)|(src=\")([^\"]+)(\")")
 # Part of the Python reference: its title, and the modules whose public names stand there.
 PYTHON = {
@@ -43,6 +44,10 @@ def place(path: str) -> str:
     return re.sub(r"(^|/)README\.md$", r"\1index.md", path)
 
 
+def is_page(path: str) -> bool:
+    return re.fullmatch(r"(?:(?:docs|paper)/.*|[^/]*)\.md", path) is not None
+
+
 def copied(path: str, folder: pathlib.Path) -> str:
     """Return a document's text with the links of the site. Files that it links to, other than documents, are copied."""
 
@@ -51,9 +56,9 @@ def copied(path: str, folder: pathlib.Path) -> str:
         name, mark, section = target.partition("#")
         if not name or re.match(r"https?:|mailto:", target):
             return found[0]
-        if name.endswith(".md"):
-            return f"{text}({place(name)}{mark}{section})"
         linked = os.path.normpath(pathlib.Path(path).parent / name)
+        if is_page(linked):
+            return f"{text}({place(name)}{mark}{section})"
         copy = folder / ("html" if name.endswith(".html") else "source") / linked
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(ROOT / linked, copy)
@@ -66,7 +71,7 @@ def copied(path: str, folder: pathlib.Path) -> str:
 def navigation(pages: dict[str, str]) -> str:
     """Return the trees of the first page: a part for each bold heading of docs/README.md, and the reference."""
     trees, seen = [], {"index.md"}
-    for part in re.split(r"^(?=\*\*)", pages["docs/index.md"], flags=re.MULTILINE)[1:]:
+    for part in re.split(r"^(?=\*\*)", pages[place(DOCUMENTS)], flags=re.MULTILINE)[1:]:
         caption = re.match(r"\*\*(.*?)\*\*", part)[1].rstrip(":?")
         targets = [place(os.path.normpath(f"docs/{target.partition('#')[0]}")) for _, target, *_ in LINK.findall(part)]
         entries = [target for target in dict.fromkeys(targets) if target in pages and target not in seen]
@@ -74,7 +79,7 @@ def navigation(pages: dict[str, str]) -> str:
         trees.append(tree(entries, f":caption: {caption}\n:maxdepth: 1\n"))
     trees.append(tree(["reference/cpp/index", "reference/c/index", "reference/python/index"], ":caption: Reference\n"))
     # A page that docs/README.md does not name stands under the first page of its folder.
-    for name in sorted(set(pages) - seen - {"docs/index.md"}):
+    for name in sorted(set(pages) - seen - {place(DOCUMENTS)}):
         parent = f"{pathlib.Path(name).parent}/index.md"
         parent = parent if parent in seen else "paper/index.md" if name.startswith("paper/") else None
         if parent is None:
@@ -134,7 +139,7 @@ def main() -> None:
     folder = pathlib.Path(sys.argv[1])
     listed = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard", "*.md"], cwd=ROOT,
                             check=True, capture_output=True, text=True).stdout.split()
-    pages = {place(path): copied(path, folder) for path in listed if (ROOT / path).is_file()}
+    pages = {place(path): copied(path, folder) for path in listed if is_page(path) and (ROOT / path).is_file()}
     pages["index.md"] += tree(["docs/index"]) + navigation(pages)
     pages |= headers("cpp", "C++", "include/tamis", folder / "cpp", "The public headers, all included by `tamis/tamis.hpp`. "
                      "[From C++](../../docs/cpp.md) leads through them.")

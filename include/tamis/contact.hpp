@@ -36,10 +36,10 @@ struct Contact {
   std::array<Index, 4> vertices;
   double toi_lower;  ///< a fraction of the step, in [0,1]: the pair is apart on [0, toi_lower)
   double toi_upper;  ///< a fraction of the step: a certified contact touches at some time of [toi_lower, toi_upper]
-  /// Contact weight. vf: point = (1-u-v) f0 + u f1 + v f2. ee: place on the first edge, in [0,1]. ve: place on the
+  /// Weight. vf: point = (1-u-v) f0 + u f1 + v f2. ee: place on the first edge, in [0,1]. ve: place on the
   /// edge. vv: 0.
   double u;
-  double v;  ///< contact weight. ee: place on the second edge, in [0,1]. ve and vv: 0
+  double v;  ///< second weight. ee: place on the second edge, in [0,1]. ve and vv: 0
   /// Unit vector. To part the features, move the first one (the vertex; the first edge) along it, or the second one
   /// against it.
   /// - With a minimum separation or radii, and for ve and vv: from the second feature's closest point to the first's at

@@ -15,23 +15,32 @@ def plain(node: Node | None) -> str:
     return "" if node is None else " ".join("".join(node.itertext()).split())
 
 
-def inline(node: Node) -> str:
-    """Return a paragraph's text: code stands in double backticks, names that Doxygen has linked are linked."""
-    text = re.sub(r"([*`|_\\])", r"\\\1", node.text or "")
-    for part in node:
-        inside = plain(part)
-        text += f"``{inside}``" if part.tag in ("computeroutput", "ref") and inside else "" if part.tag == "itemizedlist" else inside
-        text += re.sub(r"([*`|_\\])", r"\\\1", part.tail or "")
-    return " ".join(text.split())
+def escaped(text: str | None) -> str:
+    return re.sub(r"([*`|_\\])", r"\\\1", text or "")
 
 
-def paragraphs(node: Node) -> Iterator[str]:
+def part_of(node: Node, language: str) -> str:
+    """Return a part of a paragraph: code stands in double backticks, a name that Doxygen has linked is linked."""
+    text = plain(node)
+    if node.tag == "ref" and re.fullmatch(r"[\w:]+(?:\(\))?", text):
+        role = "cpp:any" if language == "cpp" else "c:func" if text.endswith(")") else "c:type"
+        return f":{role}:`{text}`"
+    return f"``{text}``" if node.tag in ("computeroutput", "ref") and text else text
+
+
+def inline(node: Node, language: str) -> str:
+    """Return a paragraph's text, without its lists."""
+    parts = (part_of(part, language) + escaped(part.tail) for part in node if part.tag != "itemizedlist")
+    return " ".join((escaped(node.text) + "".join(parts)).split())
+
+
+def paragraphs(node: Node, language: str) -> Iterator[str]:
     """Yield the paragraphs of a comment. What it returns, throws and writes begins with a strong word."""
     for comment in ("briefdescription", "detaileddescription"):
         for para in node.iterfind(f"{comment}/para"):
-            yield re.sub(r"^(Returns?|Throws?|Writes?)\b", r"**\1**", inline(para))
+            yield re.sub(r"^(Returns?|Throws?|Writes?)\b", r"**\1**", inline(para, language))
             for item in para.iterfind("itemizedlist/listitem"):
-                yield "- " + " ".join(inline(each) for each in item.iterfind("para"))
+                yield "- " + " ".join(inline(each, language) for each in item.iterfind("para"))
 
 
 def line_of(node: Node) -> int:
@@ -61,7 +70,7 @@ class Header:
         return sorted((each for each in found if each.find("location").get("file") == self.path), key=line_of)
 
     def directive(self, kind: str, declaration: str, node: Node, inside: str = "") -> str:
-        body = "\n\n".join([*paragraphs(node), inside])
+        body = "\n\n".join([*paragraphs(node, self.language), inside])
         return f".. {self.language}:{kind}:: {declaration}\n\n{textwrap.indent(body, '   ')}\n\n"
 
     def function(self, node: Node) -> str:
@@ -104,7 +113,7 @@ class Header:
     def entity(self, node: Node) -> str:
         kind = node.get("kind")
         # A function without a comment is a destructor, a default constructor or an override of one with a comment.
-        if kind in ("friend", "define") or (kind == "function" and not any(paragraphs(node))):
+        if kind in ("friend", "define") or (kind == "function" and not any(paragraphs(node, self.language))):
             return ""
         write = {"function": self.function, "variable": self.variable, "enum": self.enum, "typedef": self.alias,
                  "concept": self.concept, "class": self.record, "struct": self.record}

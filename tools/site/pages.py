@@ -103,7 +103,7 @@ def headers(language: str, title: str, folder: str, read: pathlib.Path, about: s
         names.append(file.stem)
         header = Header(language, read / "xml", file.relative_to(ROOT / "include").as_posix())
         found[f"reference/{language}/{file.stem}.rst"] = header.page(first_comment(file.read_text()))
-    found[f"reference/{language}/index.md"] = f"# {title}\n\n{about}\n" + tree(names).replace(":hidden:\n", "")
+    found[f"reference/{language}/index.md"] = f"# {title}\n\n{about}\n" + tree(names).replace(":hidden:", ":maxdepth: 2")
     return found
 
 
@@ -132,7 +132,7 @@ def python_reference() -> dict[str, str]:
     about = ("The public names of the module `tamis`, and the modules that are imported by themselves. "
              "[From Python](../../docs/python.md) leads through them.\n")
     pages = [*PYTHON, *PYTHON_MODULES]
-    return found | {"reference/python/index.md": f"# Python\n\n{about}" + tree(pages).replace(":hidden:\n", "")}
+    return found | {"reference/python/index.md": f"# Python\n\n{about}" + tree(pages).replace(":hidden:", ":maxdepth: 2")}
 
 
 def main() -> None:

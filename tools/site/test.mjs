@@ -42,7 +42,10 @@ async function testSearch(words, wanted) {
   await tab.press(".sidebar-search", "Enter");
   await tab.waitForFunction(() => /finished/.test(document.querySelector(".search-summary")?.textContent));
   const found = await tab.$$eval("ul.search li a", (links) => links.map((link) => link.getAttribute("href")));
-  assert.ok(found.some((href) => href.includes(wanted)), `a search for '${words}' finds ${found}, not ${wanted}`);
+  assert.ok(
+    found.some((href) => href.includes(wanted)),
+    `a search for '${words}' finds ${found}, not ${wanted}`,
+  );
   await shoot(tab, `search-${words.replaceAll(" ", "-")}`);
   await tab.close();
 }
@@ -53,7 +56,10 @@ async function testPhone() {
   for (const page of pages.filter((name) => !name.startsWith(join("docs", "looking") + "/"))) {
     await tab.goto(`file://${join(site, page)}`);
     const width = await tab.evaluate(() => document.documentElement.scrollWidth);
-    assert.ok(width <= phone.width, `${relative(site, join(site, page))} is ${width} wide on a phone of ${phone.width}`);
+    assert.ok(
+      width <= phone.width,
+      `${relative(site, join(site, page))} is ${width} wide on a phone of ${phone.width}`,
+    );
   }
 }
 

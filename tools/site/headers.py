@@ -90,7 +90,10 @@ class Header:
     def enum(self, node: Node) -> str:
         values = "".join(self.directive("enumerator", plain(each.find("name")), each) for each in node.iterfind("enumvalue"))
         kind = "enum-class" if node.get("strong") == "yes" else "enum"
-        return self.directive(kind, plain(node.find("name")), node, values)
+        name = plain(node.find("name"))
+        if not name or name.startswith("@"):  # an enum without a name
+            name = f"@{plain(node.find('enumvalue/name'))}"
+        return self.directive(kind, name, node, values)
 
     def alias(self, node: Node) -> str:
         aliased = plain(node.find("type"))

@@ -13,10 +13,10 @@ typedef struct tamis_detector tamis_detector;
 
 /** Options of a detector. A field that is zero has its default. */
 typedef struct tamis_options {
-  size_t size;                     /**< sizeof(tamis_options) */
-  const char* isa;                 /**< "best", "baseline", "avx2", "avx512"; NULL: "best". Changes speed only */
-  int32_t threads;                 /**< 0: as many as the caller's oneTBB arena gives; without oneTBB 1. Changes speed only */
-  double min_separation;           /**< d >= 0: contact means Euclidean distance <= d */
+  size_t size;           /**< sizeof(tamis_options) */
+  const char* isa;       /**< "best", "baseline", "avx2", "avx512"; NULL: "best". Changes speed only */
+  int32_t threads;       /**< 0: as many as the caller's oneTBB arena gives; without oneTBB 1. Changes speed only */
+  double min_separation; /**< d >= 0: contact means Euclidean distance <= d */
   const int32_t* group_of_vertex;  /**< the group of each vertex, in [0, group_count), or -1 for a vertex that takes no
                                       part in contacts; NULL: all vertices are in group 0, group_count is 0 or 1 and
                                       groups_may_touch is NULL, too */

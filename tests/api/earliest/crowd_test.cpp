@@ -128,8 +128,7 @@ TEST(Crowd, NeitherThreadsNorInstructionsChangeTheAnswer) {
   }
 }
 
-/// Processor time, so that other programs do not count.
-/// Processor time of all threads. (On Windows std::clock() is a wall clock.)
+/// Processor time of all threads, so that other programs do not count. (On Windows std::clock() is a wall clock.)
 double seconds() {
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);

@@ -168,7 +168,8 @@ static void structs_of_other_versions(void) {
   EXPECT(tamis_detector_contacts(detector, &newer.known, &count) == TAMIS_INVALID_ARGUMENT);
   EXPECT_SAYS(tamis_detector_message(detector), tamis_version());
   newer.known = falling();
-  newer.known.size = offsetof(tamis_step, end) + 4; /* bug: half of a pointer was taken for a whole one, and read */
+  newer.known.size = offsetof(tamis_step, end) +
+                     sizeof newer.known.end / 2; /* bug: half of a pointer was taken for a whole one, and read */
   EXPECT(tamis_detector_contacts(detector, &newer.known, &count) == TAMIS_INVALID_ARGUMENT);
   EXPECT_SAYS(tamis_detector_message(detector), "sizeof");
   newer.known.size = offsetof(tamis_step, start_stride); /* as if strides had come later */

@@ -1,2 +1,2 @@
-// Programs of tests see Node's environment variables, such as TAMIS_DATA.
-Module.preRun = [() => Object.assign(ENV, process.env)];
+// Programs that read environment variables, such as TAMIS_DATA, see Node's.
+Module.preRun = [() => typeof ENV === 'undefined' || Object.assign(ENV, process.env)];

@@ -52,10 +52,13 @@ TEST_P(BadInput, PositionsThatDoNotFitTheMesh) {
   EXPECT_THROW((void)detector.is_free(step), InvalidStep);
 }
 
+/// As many positions as an Index would count as none, where there can be so many.
+constexpr std::size_t kBeyondIndices = std::size_t{1} << (sizeof(std::size_t) > 4 ? 32 : 31);
+
 // Bug: 2^32 positions too many went unnoticed, because the count was truncated to 32 bits.
 TEST_P(BadInput, MorePositionsThanAnIndexCounts) {
   Detector detector = yardstick::make_detector(scene.mesh(), options);
-  const std::span<const Point> too_many(scene.start.data(), scene.start.size() + (std::size_t{1} << 32));
+  const std::span<const Point> too_many(scene.start.data(), scene.start.size() + kBeyondIndices);
   EXPECT_NE(message_of<InvalidStep>([&] {
               (void)detector.contacts({too_many, too_many});
             }).find("2^31"),
@@ -65,7 +68,7 @@ TEST_P(BadInput, MorePositionsThanAnIndexCounts) {
 // Bug: a list of pairs took too many positions for 2^32 - 1 rows, and read beyond the end.
 TEST(BadInputOfLists, MorePositionsThanAnIndexCounts) {
   const Scene scene = scenes::scene_by_name("soup", 5, 1);
-  const std::span<const Point> too_many(scene.start.data(), scene.start.size() + (std::size_t{1} << 32));
+  const std::span<const Point> too_many(scene.start.data(), scene.start.size() + kBeyondIndices);
   const std::vector<FeaturePair> pairs{{PairKind::vertex_vertex, {0, 1}}};
   const auto ask = [&] { (void)narrow_phase(pairs, {too_many, too_many}); };
   EXPECT_NE(message_of<InvalidStep>(ask).find("2^31"), std::string::npos);

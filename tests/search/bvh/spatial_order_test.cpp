@@ -20,7 +20,7 @@ struct Case {
 };
 
 Case random_case(Rng& rng) {
-  Case c{1 + rng() % (rng() % 4 ? 400 : 20000), 1 + static_cast<unsigned>(rng() % 2000), {}};
+  Case c{static_cast<std::size_t>(1 + rng() % (rng() % 4 ? 400 : 20000)), 1 + static_cast<unsigned>(rng() % 2000), {}};
   const std::size_t groups = rng() % 6;
   for (std::size_t i = 1; i < groups; ++i) c.ends.push_back(rng() % (c.count + 1));
   if (groups > 0) c.ends.push_back(c.count);

@@ -150,7 +150,7 @@ TEST_F(Faults, ASeparationThatIsNoDistance) {
 
 TEST_F(Faults, WhatRanksCannotDo) {
   auto many = detector();
-  expect_on_all<InvalidOptions>("report what touches at the start",
+  expect_on_all<InvalidOptions>("ranks know report and ignore",
                                 [&] { (void)many.contacts(part_.step(), {.at_start = AtStart::fail}); });
   expect_right_answer(many);
   Options options;

@@ -230,8 +230,8 @@ TEST_F(AuditVerb, TwoFramesFarApartAreNoGap) {
 }
 
 TEST_F(AuditVerb, MisuseIsRefused) {
-  expect_refused("audit f --no-contacts --no-intersections", "neither intersections nor contacts");
-  expect_refused("audit f --no-contacts --min-separation 0.1", "the minimum separation is of contacts");
+  expect_refused("audit f --no-contacts --no-intersections", "intersections and contacts are both switched off");
+  expect_refused("audit f --no-contacts --min-separation 0.1", "a minimum separation is for contacts");
   expect_refused("audit f --out rows.csv --out-frames ./rows.csv", "./rows.csv is named for two outputs");
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "rows.csv"));
   expect_refused("audit f --ring-limit 0", "--ring-limit");

@@ -96,7 +96,7 @@ TEST_F(PoseVerbs, AMeshAtOnePointIsOneFact) {
     EXPECT_EQ(outcome.code, 1) << outcome.err;
     EXPECT_NE(outcome.err.find(fact), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.json()["collapsed"], std::vector<std::string>{fact});
-    EXPECT_NE(folder_.run(question).out.find("nothing is proven of it\n"), std::string::npos);
+    EXPECT_NE(folder_.run(question).out.find("nothing is proven about them\n"), std::string::npos);
   }
   for (const char* question :
        {"is-free sheet.obj zeros.obj", "is-free zeros.obj sheet.obj --check-start", "sequence sheet.obj zeros.obj"}) {

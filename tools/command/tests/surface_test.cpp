@@ -117,7 +117,7 @@ TEST_F(Surface, CoarseCoordinatesAreNoted) {
   };
   folder_.write("float.ply", ply("float"));
   folder_.write("double.ply", ply("double"));
-  EXPECT_TRUE(notes("info float.ply", "float32 numbers are up to 0.5 apart here, and 3 sides"));
+  EXPECT_TRUE(notes("info float.ply", "float32 numbers are up to 0.5 apart here; 3 sides"));
   EXPECT_FALSE(notes("info double.ply", "note"));
 }
 

@@ -220,7 +220,7 @@ class BodyContacts(FeaturesOfBodies[BodyContact], TouchingPairs[BodyContact]):
         FileError
             The file cannot be written, or its name has another extension.
         Error
-            The extension is that of a file to look at. Only the command writes these for bodies: ``tamis bodies
+            The extension belongs to a file to look at. Only the command writes these for bodies: ``tamis bodies
             SCENE.json --out``.
         """
         name = file_name(path, "path")
@@ -245,7 +245,7 @@ class BodyIntersections(OfBodies[BodyIntersection], CrossingPairs[BodyIntersecti
     """Edges that pass through triangles or touch them at the start, sorted by bodies, edge and face.
 
     `len()` counts the rows; an integer index gives a `BodyIntersection`, any other index of an array
-    `BodyIntersections`. The columns of `table` are those of `Intersections`, and bodies.
+    `BodyIntersections`. The columns of `table` are the columns of `Intersections`, and bodies.
     """
 
     __slots__ = ()

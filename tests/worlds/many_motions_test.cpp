@@ -75,7 +75,7 @@ TEST(ManyMotions, AreRefusedByNameAndChangeNothing) {
   };
   expect_message<InvalidOptions>(ask({0, 99}, still), "no body 99");
   expect_message<InvalidOptions>(ask({1, 0, 1}, still), "body 1 is named twice: give each once");
-  expect_message<InvalidOptions>(ask({0, 1, 2, 3}, still), "6 motions for 4 bodies: give one for each body");
+  expect_message<InvalidOptions>(ask({0, 1, 2, 3}, still), "6 motions for 4 bodies: give one motion for each body");
   expect_message<InvalidOptions>(ask({}, still), "6 motions for 0 bodies");
   std::vector<BodyMotion> bad = still;
   bad[3] = Rigid{{{{{0, 0, 0}, {}}, {{0, std::nan(""), 0}, {}}}}};

@@ -67,7 +67,7 @@ static void lists_of_pairs(void) {
   EXPECT_SAYS(tamis_pairs_message(pairs), "pair 2: vertex 5 is not a row of the step's 5 positions");
   list[1].kind = 256;
   EXPECT(tamis_narrow_phase(pairs, list, 3, &step, r, sizeof r[0]) == TAMIS_INVALID_STEP);
-  EXPECT_SAYS(tamis_pairs_message(pairs), "pair 1: no kind");
+  EXPECT_SAYS(tamis_pairs_message(pairs), "pair 1: unknown kind");
   tamis_pairs_free(pairs);
   options.threads = -1;
   EXPECT(tamis_pairs_create(&options, &pairs) == TAMIS_INVALID_OPTIONS);
@@ -125,7 +125,7 @@ static void distances(void) {
   EXPECT_SAYS(tamis_pairs_message(pairs), "pair 1: vertex 5");
   list[0].kind = -1;
   EXPECT(tamis_distances_of(pairs, list, 2, &step, near, sizeof near[0]) == TAMIS_INVALID_STEP);
-  EXPECT_SAYS(tamis_pairs_message(pairs), "pair 0: no kind");
+  EXPECT_SAYS(tamis_pairs_message(pairs), "pair 0: unknown kind");
   tamis_pairs_free(pairs);
 }
 

@@ -48,7 +48,7 @@ TEST_F(MeshFiles, SaysWhatReadsOtherFormats) {
                                                        {"a.abc", "Alembic is not read: export"},
                                                        {"a.vtk", "convert it"},
                                                        {"a.mdd", "together with a mesh file"},
-                                                       {"a.xyz", "convert it, or let its name end"}};
+                                                       {"a.xyz", "convert it, or give its name the ending"}};
   for (const auto& [name, says] : cases) {
     const std::string message = error_of(folder_.write(name, "what it holds\n"));
     EXPECT_TRUE(test::contains(message, says)) << message;

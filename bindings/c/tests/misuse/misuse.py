@@ -16,7 +16,7 @@ import headers
 import right
 import wrong
 
-_RAW = re.compile(r"std::|vector(?!s\b)|max_size|bad_alloc|basic_string|optional|bad function|Unknown|unknown")
+_RAW = re.compile(r"std::|vector(?!s\b)|max_size|bad_alloc|basic_string|optional|bad function|[Uu]nknown (?:error|exception)")
 LAST = "TAMIS_LAST_CALL"  # the variable with the name of the file that describes the present call
 OPTIONAL = ("options", "fractions", "center", "error")
 

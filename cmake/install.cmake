@@ -1,7 +1,7 @@
 # The rules of `cmake --install`; `find_package(tamis)` then defines tamis::tamis.
 include(CMakePackageConfigHelpers)
 
-# The rules have components, for packages: `library`, what programs run with; `command`; the others are `development`.
+# The rules have components, for packages: `library`, for programs to run; `command`; `licence`; the others are `development`.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 set(TAMIS_RUNS LIBRARY COMPONENT library NAMELINK_COMPONENT development RUNTIME COMPONENT library)
 set(TAMIS_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/tamis)
@@ -36,4 +36,4 @@ configure_package_config_file(cmake/tamis-config.cmake.in ${PROJECT_BINARY_DIR}/
 install(FILES ${PROJECT_BINARY_DIR}/tamis-config.cmake ${PROJECT_BINARY_DIR}/tamis-config-version.cmake
   DESTINATION ${TAMIS_PACKAGE_DIR})
 include(cmake/pkg_config.cmake)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)

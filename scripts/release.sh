@@ -39,7 +39,7 @@ linux() {
   cmake --preset debian -D CMAKE_INSTALL_LIBDIR=lib -D CMAKE_SKIP_INSTALL_RPATH=OFF
   cmake --build --preset debian
   local folder=$name-linux-$(uname -m)
-  for component in library development; do
+  for component in library development licence; do
     cmake --install build/debian --component $component --prefix "$work/$folder" --strip
   done
   packed "$folder"

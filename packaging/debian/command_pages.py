@@ -75,7 +75,7 @@ def listed(rows: list[Row]) -> list[str]:
 
 
 def section(verb: str, text: Help) -> list[str]:
-    lines = [f".SS {verb}", roff(text.summary), ".PP", f".B {roff(text.usage)}"]
+    lines = [f".SS {roff(verb)}", roff(text.summary), ".PP", f".B {roff(text.usage)}"]
     for title in ("Positionals", "Options"):
         lines += listed([row for row in text.sections.get(title, []) if "--help" not in row.names])
     if text.examples:

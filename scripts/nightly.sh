@@ -28,6 +28,7 @@ for release in trixie bookworm; do
   run scripts/try_in_root.sh "$release" scripts/check_compilers.sh
   run scripts/try_in_root.sh "$release" scripts/build_from_source.sh
 done
+run scripts/setup.sh --packages
 run scripts/test_conan.sh
 run scripts/test_vcpkg.sh
 run scripts/release.sh "$(sed -n 's/^project(tamis VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)" build/release/nightly

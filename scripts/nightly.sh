@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # nightly.sh: runs all tests, and checks that take too long for every day: each source compiled by itself, clang-tidy over
-# all sources, the core tests without oneTBB, both commands of the README and four compilers on new roots of both Debians, both
-# sanitizers, the core tests on 64-bit ARM, Windows and in WebAssembly, a build for macOS, an hour of attacks and 50 minutes of
-# fuzzing. Takes some seven hours on two cores. Goes on after a failure, and names the failures at the end.
+# all sources, the core tests without oneTBB, both commands of the README and four compilers on new roots of both Debians,
+# packages and release, both sanitizers, the core tests on 64-bit ARM, Windows and in WebAssembly, a build for macOS, an hour of
+# attacks and 50 minutes of fuzzing. Takes some seven hours on two cores. Goes on after a failure, and names the failures at the end.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
@@ -27,6 +27,13 @@ for release in trixie bookworm; do
   run scripts/try_in_root.sh "$release" scripts/test.sh --all
   run scripts/try_in_root.sh "$release" scripts/check_compilers.sh
   run scripts/try_in_root.sh "$release" scripts/build_from_source.sh
+done
+run scripts/setup.sh --packages
+run scripts/test_conan.sh
+run scripts/test_vcpkg.sh
+run scripts/release.sh "$(sed -n 's/^project(tamis VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)" build/release/nightly
+for release in trixie bookworm; do
+  run env TAMIS_DATA="$PWD/build/release/nightly" scripts/try_in_root.sh --data "$release" scripts/try_debs.sh ../shared/data
 done
 run scripts/sanitize.sh address
 run scripts/sanitize.sh thread

@@ -9,6 +9,7 @@
 #   --arm64        those of the tests on 64-bit ARM
 #   --windows      those of the tests on Windows
 #   --wasm         those of the tests in WebAssembly; on Debian 13, as Debian 12's emscripten is too old
+#   --packages     those of the Debian packages (scripts/build_debs.sh)
 #   --bench        those of the benchmarks, and the libraries that Tamis is compared with
 # Uses neither apt nor the network if nothing is missing. On other systems it prints what to install.
 set -euo pipefail
@@ -42,9 +43,10 @@ case ${1:-} in
     [[ $release != bookworm ]] || { echo "setup: Debian 12's emscripten is 3.1.6, and 3.1.50 is needed: use Debian 13" >&2; exit 1; }
     packages+=(emscripten nodejs libfast-float-dev googletest libgtest-dev python3)
     ;;
+  --packages) packages+=(python3 dpkg-dev file lintian) ;;
   --bench) packages+=(libbenchmark-dev libembree-dev libcgal-dev libbullet-dev libfcl-dev python3-matplotlib) ;;
   "") ;;
-  *) echo "setup: no option is called $1: use --core-tests, --all-tests, --python, --compilers, --blender, --site, --arm64, --windows, --wasm or --bench" >&2; exit 2 ;;
+  *) echo "setup: no option is called $1: use --core-tests, --all-tests, --python, --compilers, --blender, --site, --arm64, --windows, --wasm, --packages or --bench" >&2; exit 2 ;;
 esac
 
 is_installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }

@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# release.sh VERSION [--cheap] [FOLDER]: makes all files of a release from a clean clone of HEAD, in FOLDER (build/release/VERSION):
+# the archive of the sources, Debian packages, an archive for Linux, the DLL for Windows, wheels, crate and npm package; what changed,
+# CITATION.cff, a bill of materials, and the SHA-256 of each file. It uploads nothing. The same commit gives the same bytes.
+#   --cheap   only what needs no build
+# A part whose tools are missing is named at the end. VERSION is that of CMakeLists.txt: scripts/check_version.py.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+version=${1:?say which version, as 0.1.0}
+shift
+cheap=
+if [[ ${1:-} == --cheap ]]; then cheap=yes; shift; fi
+out=$(realpath -m "${1:-build/release/$version}")
+packages=$PWD/build/windows-packages  # what scripts/test_windows.sh gathered before, if it did
+python3 scripts/check_version.py "$version"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+git clone --quiet . "$work/tamis"
+cd "$work/tamis"
+commit=$(git rev-parse HEAD)
+SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
+export SOURCE_DATE_EPOCH LC_ALL=C TZ=UTC
+umask 022
+rm -rf "$out" && mkdir -p "$out"
+name=tamis-$version
+left_out=()
+
+# packed FOLDER: an archive of a folder in $work whose bytes depend on names and contents alone.
+packed() {
+  tar -C "$work" --sort=name --owner=0 --group=0 --numeric-owner --mode=go=rX,u+rw --mtime=@"$SOURCE_DATE_EPOCH" -cf - "$1" |
+    gzip -9n >"$out/$1.tar.gz"
+}
+
+linux() {
+  scripts/build_debs.sh "$work/debs"
+  cp "$work"/debs/*.deb "$out"
+  # The same objects for any folder: libraries find each other, and lib has no name of a processor.
+  cmake --preset debian -D CMAKE_INSTALL_LIBDIR=lib -D CMAKE_SKIP_INSTALL_RPATH=OFF
+  cmake --build --preset debian
+  local folder=$name-linux-$(uname -m)
+  for component in library development licence; do
+    cmake --install build/debian --component $component --prefix "$work/$folder" --strip
+  done
+  packed "$folder"
+}
+
+windows() {
+  if ! { command -v x86_64-w64-mingw32-g++-posix && command -v wine; } >/dev/null; then
+    left_out+=("Windows: MinGW-w64 or Wine is missing (scripts/setup.sh --windows)")
+    return
+  fi
+  mkdir -p build
+  [[ ! -e $packages/complete ]] || ln -s "$packages" build/windows-packages
+  scripts/test_windows.sh --dll
+  local folder=$name-windows-x86_64
+  mkdir -p "$work/$folder/include/tamis"
+  cp build/windows/bin/libtamis_c-*.dll LICENSE packaging/debian/copyright "$work/$folder"
+  find build/windows/bindings/c -maxdepth 1 \( -name '*.dll.a' -o -name '*.lib' \) -exec cp {} "$work/$folder" \;
+  cp -r include/tamis/tamis.h include/tamis/c "$work/$folder/include/tamis"
+  packed "$folder"
+}
+
+# elsewhere SCRIPT: a part with a script of its own, which writes its files into the folder it is given.
+elsewhere() {
+  if [[ ! -x $1 ]]; then left_out+=("$1 does not exist"); return; fi
+  mkdir -p "$work/part"
+  local rc=0
+  "$1" "$work/part" || rc=$?
+  case $rc in
+    0) cp "$work"/part/* "$out" ;;
+    77) left_out+=("$1 was skipped") ;;
+    *) echo "release.sh: $1 ended with $rc" >&2; exit 1 ;;
+  esac
+  rm -rf "$work/part"
+}
+
+git archive --format=tar --prefix="$name/" HEAD | gzip -9n >"$out/$name.tar.gz"
+awk -v title="## $version" 'index($0, "## ") == 1 { on = index($0, title) == 1 } on' CHANGELOG.md >"$out/CHANGES.md"
+if [[ ! -s $out/CHANGES.md ]]; then
+  left_out+=("CHANGELOG.md has no part '## $version': CHANGES.md has its part 'Unreleased'")
+  awk '/^## / { on = /^## Unreleased/ } on' CHANGELOG.md >"$out/CHANGES.md"
+fi
+[[ -s $out/CHANGES.md ]] || { echo "release.sh: CHANGELOG.md has neither a part '## $version' nor '## Unreleased'" >&2; exit 1; }
+cp CITATION.cff "$out"
+if [[ -z $cheap ]]; then
+  linux
+  windows
+  for part in wheels crate npm; do elsewhere scripts/release_$part.sh; done
+fi
+python3 scripts/sbom.py "$version" "$commit" "$SOURCE_DATE_EPOCH" "$out"/* >"$work/sbom.json"
+cp "$work/sbom.json" "$out/$name.cdx.json"
+(cd "$out" && sha256sum -- * >"$work/SHA256SUMS" && cp "$work/SHA256SUMS" .)
+cat "$out/SHA256SUMS"
+((${#left_out[@]} == 0)) || printf 'release: left out: %s\n' "${left_out[@]}"

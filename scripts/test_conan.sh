@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# test_conan.sh [OPTION=VALUE...]: runs the whole recipe of packaging/conan and its test_package, without any remote: the static and
+# the shared library, and one with oneTBB. Boost, xsimd and oneTBB are this system's. Options, as shared=True, try that variant alone.
+# Needs PyPI once; exits with 77 if it cannot be reached.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+work=$PWD/build/conan
+if [[ ! -x $work/tools/bin/conan ]]; then
+  python3 -m venv "$work/tools"
+  "$work/tools/bin/pip" install --quiet conan==2.34.0 || { rm -rf "$work/tools"; echo "skipped: PyPI cannot be reached"; exit 77; }
+fi
+export CONAN_HOME=$work/home
+conan=$work/tools/bin/conan
+"$conan" profile detect --force >/dev/null 2>&1
+cat >"$work/profile" <<'END'
+include(default)
+[settings]
+compiler.cppstd=20
+build_type=Release
+[platform_requires]
+boost/1.83.0
+xsimd/13.0.0
+onetbb/2021.12.0
+END
+variants=("shared=False" "shared=True" "shared=False with_tbb=True")
+(($# == 0)) || variants=("$*")
+for variant in "${variants[@]}"; do
+  echo "test_conan: $variant"
+  options=()
+  for option in $variant; do options+=(-o "&:$option"); done
+  "$conan" create packaging/conan --no-remote --profile:all "$work/profile" "${options[@]}" >"$work/log.txt" 2>&1 ||
+    { tail -n 40 "$work/log.txt"; exit 1; }
+  (($(grep -c 'vertex 3 meets' "$work/log.txt") == 2)) ||
+    { tail -n 40 "$work/log.txt"; echo "test_conan: the two examples did not print their contact" >&2; exit 1; }
+done
+echo "test_conan: ${#variants[@]} packages were made, and both examples run with each"

@@ -194,7 +194,7 @@ TEST_F(BodiesVerb, BodiesInsideOthersAreFoundIfAsked) {
   EXPECT_EQ(ask(scene("0"), "--check-start").code, 0);
   const Outcome inside = ask(scene("0"), "--check-overlap");
   EXPECT_EQ(inside.code, 1) << inside.err;
-  EXPECT_NE(inside.out.find("START           a body is inside another one; nothing else was asked"), std::string::npos)
+  EXPECT_NE(inside.out.find("START           a body is inside another one; nothing else was tested"), std::string::npos)
       << inside.out;
   EXPECT_EQ(ask(scene("0"), "--check-overlap --json").json(),
             nlohmann::json::parse(R"({"free": false, "start_intersections": 0, "start_overlaps": true})"));

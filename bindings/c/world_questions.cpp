@@ -93,6 +93,17 @@ tamis_status tamis_world_has_intersection(tamis_world* world, int include_static
   });
 }
 
+tamis_status tamis_world_has_overlap(tamis_world* world, int include_static, int* has_overlap) {
+  return with(world, [&](tamis_world& handle) {
+    required(has_overlap, "has_overlap") = handle.object->has_overlap(at_rest(include_static)) ? 1 : 0;
+  });
+}
+
+tamis_status tamis_world_is_closed(tamis_world* world, int32_t body, int* is_closed) {
+  return with(world,
+              [&](tamis_world& handle) { required(is_closed, "is_closed") = handle.object->is_closed(body) ? 1 : 0; });
+}
+
 tamis_status tamis_world_copy_contacts(tamis_world* world, size_t first, size_t count, tamis_contact* contacts,
                                        size_t contact_size) {
   return copy_contacts(world, {first, count, contacts, contact_size});

@@ -198,7 +198,7 @@ class World {
   [[nodiscard]] bool is_free(const PathOptions& = {});
 
   /// Finds pairs of features within `distance` plus both radii where all bodies are at t=0, rounded to doubles. This
-  /// question and the next two skip two bodies that are both Static, even where they pass through each other.
+  /// question and the next three skip two bodies that are both Static, even where they pass through each other.
   /// PoseOptions::include_static includes them. Set it once, before the first step.
   /// Returns the pairs sorted as contacts.
   /// Throws InvalidOptions unless `distance` is finite and >= 0.
@@ -209,6 +209,18 @@ class World {
   /// Tests whether there is any intersection. Ends at the first one.
   /// Returns true if there is one.
   [[nodiscard]] bool has_intersection(const PoseOptions& = {});
+  /// Tests whether two bodies overlap at t=0: there is an intersection, or a vertex of one lies inside another one. A
+  /// body inside another touches nothing, so every motion within it is free. Ask this of a planner's first
+  /// configuration. Decided exactly for the positions that `intersections` sees. Only closed parts have an inside
+  /// (`is_closed`). Where a body's parts lie in each other, their winding numbers add up: a part with reversed faces is
+  /// a cavity (docs/worlds.md, "Inside").
+  /// Returns true if there is an overlap.
+  [[nodiscard]] bool has_overlap(const PoseOptions& = {});
+  /// Tests whether a body's whole surface is closed: each edge has an even number of faces, if vertices at one place
+  /// count as one. Open parts of other bodies contain nothing in `has_overlap`.
+  /// Returns true if the body has a face and all its faces are in closed parts.
+  /// Throws InvalidOptions as `move`.
+  [[nodiscard]] bool is_closed(BodyId body) const;
 
   /// Finds how far all bodies may go, as Detector::safe_step. If one of two bodies turns, PathOptions::tolerance
   /// counts. A pair that starts nearer to its separation than doubles can tell ends the step at once.

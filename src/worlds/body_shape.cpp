@@ -38,4 +38,15 @@ Face BodyShape::corners_of(Index item) const {
   return {point, point, point};
 }
 
+const ClosedParts& BodyShape::closed_parts() const {
+  const std::lock_guard lock(mutex_);
+  if (!closed_parts_) closed_parts_.emplace(mesh, points);
+  return *closed_parts_;
+}
+
+std::uint64_t BodyShape::memory_bytes() const {
+  const std::lock_guard lock(mutex_);
+  return held_bytes(tree, boxes, loose.edges, loose.points, closed_parts_);
+}
+
 }  // namespace tamis

@@ -1,8 +1,11 @@
 // A shape, which bodies share: a mesh with its points in a frame of its own, and a hierarchy over its items.
 #pragma once
+#include <mutex>
+#include <optional>
 #include <vector>
 
 #include "numbers/held_bytes.hpp"
+#include "search/topology/closed_parts.hpp"
 #include "search/topology/loose_features.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
@@ -30,7 +33,9 @@ struct BodyShape {
   Box box_at_rest(Index item) const {
     return box_of(item, [&](Index v) -> const Point& { return points[static_cast<std::size_t>(v)]; });
   }
-  std::uint64_t memory_bytes() const { return held_bytes(tree, boxes, loose.edges, loose.points); }
+  /// Found when first requested, then kept. Threads may request it at the same time.
+  const ClosedParts& closed_parts() const;
+  std::uint64_t memory_bytes() const;
 
   const Mesh mesh;
   const std::vector<Point> points;
@@ -39,6 +44,10 @@ struct BodyShape {
   std::vector<Box> boxes;  ///< of its nodes
   double radius = 0;       ///< no vertex in use is farther from the origin of the frame
   double edge = 0;         ///< the mean edge
+
+ private:
+  mutable std::mutex mutex_;  ///< held to find and to read closed_parts_
+  mutable std::optional<ClosedParts> closed_parts_;
 };
 
 }  // namespace tamis

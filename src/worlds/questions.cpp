@@ -183,10 +183,11 @@ std::vector<BodyIntersection> World::intersections(const PoseOptions& asked) {
   return all;
 }
 
-bool World::has_intersection(const PoseOptions& asked) {
-  const State::QuestionTurn now(*this);
+bool World::has_intersection(const PoseOptions& asked) { return State::QuestionTurn(*this)->has_intersection(asked); }
+
+bool World::State::has_intersection(const PoseOptions& asked) {
   bool has_one = false;
-  now->for_each_at_rest(0, asked, [&](auto& state, auto& pose, auto&) {
+  for_each_at_rest(0, asked, [&](auto& state, auto& pose, auto&) {
     has_one = !state->find_intersections(pose, Question::is_free, true).empty();
     return !has_one;
   });

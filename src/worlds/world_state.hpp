@@ -40,6 +40,9 @@ struct World::State {
   class Turn;
   class QuestionTurn;
   EarliestBodyContact earliest(const PathOptions& asked);
+  bool has_intersection(const PoseOptions& asked);
+  /// True if a body encloses a part of another one. Finds all such bodies only where there is no intersection.
+  bool has_containment(const PoseOptions& asked);
 
   void become(Body& body, Body moved) noexcept;
   void drop_gathered();

@@ -43,6 +43,7 @@ inline Numbers numbers_of(World& world, const std::vector<BodyId>& bodies, doubl
   for (const BodyIntersection& i : world.intersections())
     numbers.insert(numbers.end(), {i.s_lower, i.s_upper, i.u, i.v, double(i.bodies[0]), double(i.bodies[1])});
   numbers.push_back(world.has_intersection());
+  numbers.push_back(world.has_overlap());
   for (const BodyId body : bodies) {
     numbers.push_back(static_cast<double>(world.motion(body).index()));
     for (const double time : {0.0, 0.375, 1.0}) {

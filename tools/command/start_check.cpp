@@ -22,6 +22,8 @@ void StartCheck::declare_for_bodies(OptionList& options) {
   options.add_flag("--check-start", is_asked_,
                    "first test whether bodies pass through each other where they start, or a deforming one through "
                    "itself; if so, stop there with exit code 1. Two static bodies are not tested");
+  options.add_flag("--check-overlap", asks_overlap_,
+                   "as --check-start, and also whether a part of one body is inside a closed part of another");
 }
 
 bool StartCheck::passes(Detector& detector, const Positions& start) {
@@ -35,11 +37,13 @@ bool StartCheck::passes(Detector& detector, const Positions& start) {
 }
 
 bool StartCheck::passes(World& world) {
+  is_asked_ = is_asked_ || asks_overlap_;
   if (!is_asked_) return true;
   const std::vector<BodyIntersection> all = world.intersections();
   intersections_ = all.size();
   if (!all.empty()) first_ = all.front();
-  return all.empty();
+  overlaps_ = !all.empty() || (asks_overlap_ && world.has_overlap());
+  return !overlaps_;
 }
 
 int StartCheck::refuse(const Detector& detector, bool as_json, Json json) const {
@@ -59,6 +63,10 @@ int StartCheck::refuse(const Detector& detector, bool as_json, Json json) const 
 }
 
 void StartCheck::print_refused(const std::vector<std::string>& names) const {
+  if (intersections_ == 0) {
+    fmt::print("START           a body is inside another one; nothing else was tested\n");
+    return;
+  }
   const auto name = [&](std::size_t which) { return printable(names[static_cast<std::size_t>(first_.bodies[which])]); };
   const Edge& edge = first_.edge;
   const Face& face = first_.face;
@@ -71,6 +79,7 @@ void StartCheck::print_refused(const std::vector<std::string>& names) const {
 
 void StartCheck::add_refused_to(Json& json, const std::vector<std::string>& names) const {
   add_to(json);
+  if (intersections_ == 0) return;
   const auto name = [&](std::size_t which) { return names[static_cast<std::size_t>(first_.bodies[which])]; };
   json["start_intersection"] = {{"bodies", std::array{name(0), name(1)}}, {"edge", first_.edge}, {"face", first_.face}};
 }
@@ -82,13 +91,18 @@ void StartCheck::print() const {
 }
 
 void StartCheck::print_for_bodies() const {
-  fmt::print("{}\n",
-             is_asked_
-                 ? "START           no body that moves passes through another, no deforming one through itself, "
-                   "proven"
-                 : "presupposes     bodies that do not pass through each other at the START: --check-start tests this");
+  fmt::print(
+      "{}\n",
+      asks_overlap_ ? "START           no body that moves passes through another or is inside one, no deforming one "
+                      "passes through itself, proven"
+      : is_asked_ ? "START           no body that moves passes through another, no deforming one through itself, "
+                    "proven"
+                  : "presupposes     bodies that do not pass through each other at the START: --check-start tests this");
 }
 
-void StartCheck::add_to(Json& json) const { json["start_intersections"] = is_asked_ ? Json(intersections_) : Json(); }
+void StartCheck::add_to(Json& json) const {
+  json["start_intersections"] = is_asked_ ? Json(intersections_) : Json();
+  if (asks_overlap_) json["start_overlaps"] = overlaps_;
+}
 
 }  // namespace tamis::cli

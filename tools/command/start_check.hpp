@@ -17,7 +17,8 @@ class StartCheck {
   void declare_for_bodies(OptionList& options);
   /// May the verb ask its own question? False if the option is given and the start passes through itself.
   bool passes(Detector& detector, const Positions& start);
-  /// The same for bodies at their present places. Keeps the first intersection.
+  /// The same for bodies at their present places. Keeps the first intersection. With --check-overlap no body may be
+  /// inside another, either.
   bool passes(World& world);
   /// Prints that the start does not pass, as JSON by adding to `json`. Returns the exit code.
   int refuse(const Detector& detector, bool as_json, Json json) const;
@@ -32,7 +33,7 @@ class StartCheck {
   void add_to(Json& json) const;
 
  private:
-  bool is_asked_ = false;
+  bool is_asked_ = false, asks_overlap_ = false, overlaps_ = false;
   std::size_t intersections_ = 0;
   bool has_collapsed_ = false;  ///< then what has collapsed was not asked about
   BodyIntersection first_{};    ///< the first intersection of bodies, if there is one

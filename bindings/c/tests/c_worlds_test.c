@@ -132,6 +132,12 @@ static void what_goes_straight_and_what_deforms(void) {
   EXPECT(tamis_world_intersections(world, 0, &count) == TAMIS_OK && count == 0);
   EXPECT(tamis_world_has_intersection(world, 0, &intersects) == TAMIS_OK && intersects == 0);
   EXPECT(tamis_world_has_intersection(world, 0, NULL) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_world_has_overlap(world, 0, &intersects) == TAMIS_OK && intersects == 0);
+  EXPECT(tamis_world_has_overlap(world, 1, &intersects) == TAMIS_OK && intersects == 1);
+  EXPECT(tamis_world_has_overlap(world, 0, NULL) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_world_is_closed(world, moved, &intersects) == TAMIS_OK && intersects == 0);
+  EXPECT(tamis_world_is_closed(world, moved, NULL) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_world_is_closed(world, 99, &intersects) == TAMIS_INVALID_OPTIONS);
   motion.poses = NULL;
   motion.links = &down; /* out of the plate */
   motion.links_of_each = 1;

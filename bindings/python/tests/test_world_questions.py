@@ -81,9 +81,28 @@ def test_tables_have_the_bodies(cube: tamis.Shape) -> None:
     world.move(1, at((0.5, 0.5, 0.5))[0])
     world.move(0, tamis.chain_between(at((0, 0, 0)), at((0, 0, 1)))[0])
     assert world.has_intersection()
+    assert world.has_overlap()
     crossing = world.intersections()
     assert len(crossing) and crossing[0].bodies in ((0, 1), (1, 0))
     assert crossing.to_pandas()["b0"].tolist() == crossing.bodies[:, 0].tolist()
+
+
+def test_a_body_inside_another_overlaps(cube: tamis.Shape) -> None:
+    """It touches nothing, so all that moves within is free."""
+    small = tamis.Shape(cube.mesh, cube.points * 0.25)
+    world = tamis.World()
+    world.add(cube)
+    inner = world.add(small, tamis.chain_between(at((0, 0, 0)), at((0.125, 0, 0)))[0])
+    assert world.is_free() and not world.has_intersection() and world.has_overlap()
+    assert world.is_closed(0) and world.is_closed(inner)
+    world.move(inner, at((5, 0, 0))[0])
+    assert not world.has_overlap() and not world.has_overlap(include_static=True)
+    world.move(inner, at((0, 0, 0))[0])
+    assert not world.has_overlap() and world.has_overlap(include_static=True)
+    sheet = world.add(tamis.Shape(tamis.Mesh(cube.mesh.faces[1:]), cube.points))
+    assert not world.is_closed(sheet)
+    with pytest.raises(tamis.InvalidOptions, match="the world has no body 9"):
+        world.is_closed(9)
 
 
 def test_features_are_those_of_both_meshes() -> None:

@@ -427,6 +427,8 @@ extern "C" { pub fn tamis_world_safe_step(world: *mut tamis_world, keep: f64, op
 extern "C" { pub fn tamis_world_pairs_within(world: *mut tamis_world, distance: f64, include_static: c_int, count: *mut usize) -> c_int; }
 extern "C" { pub fn tamis_world_intersections(world: *mut tamis_world, include_static: c_int, count: *mut usize) -> c_int; }
 extern "C" { pub fn tamis_world_has_intersection(world: *mut tamis_world, include_static: c_int, has_intersection: *mut c_int) -> c_int; }
+extern "C" { pub fn tamis_world_has_overlap(world: *mut tamis_world, include_static: c_int, has_overlap: *mut c_int) -> c_int; }
+extern "C" { pub fn tamis_world_is_closed(world: *mut tamis_world, body: i32, is_closed: *mut c_int) -> c_int; }
 extern "C" { pub fn tamis_world_copy_contacts(world: *mut tamis_world, first: usize, count: usize, contacts: *mut Contact, contact_size: usize) -> c_int; }
 extern "C" { pub fn tamis_world_copy_pairs_within(world: *mut tamis_world, first: usize, count: usize, pairs: *mut NearPair, pair_size: usize) -> c_int; }
 extern "C" { pub fn tamis_world_copy_intersections(world: *mut tamis_world, first: usize, count: usize, intersections: *mut Intersection, intersection_size: usize) -> c_int; }

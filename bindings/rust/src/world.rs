@@ -229,6 +229,25 @@ impl World {
         Ok(has_one != 0)
     }
 
+    /// Do two bodies overlap at t=0: do they intersect, or is a vertex of one inside another? `include_static`: also
+    /// of two bodies that stay at a pose.
+    pub fn has_overlap(&mut self, include_static: bool) -> Result<bool, Error> {
+        let mut has_one = 0;
+        // SAFETY: a pointer to a local.
+        let status = unsafe { sys::tamis_world_has_overlap(self.handle, include_static.into(), &mut has_one) };
+        self.checked(status)?;
+        Ok(has_one != 0)
+    }
+
+    /// Is the whole surface of a body closed? Open parts contain nothing in `has_overlap`.
+    pub fn is_closed(&mut self, body: BodyId) -> Result<bool, Error> {
+        let mut is_closed = 0;
+        // SAFETY: a pointer to a local.
+        let status = unsafe { sys::tamis_world_is_closed(self.handle, body, &mut is_closed) };
+        self.checked(status)?;
+        Ok(is_closed != 0)
+    }
+
     /// The number of vertices of a body; 0 for one that was never added.
     fn vertices_of(&self, body: BodyId) -> usize {
         usize::try_from(body).ok().and_then(|i| self.vertex_counts.get(i)).copied().unwrap_or(0)

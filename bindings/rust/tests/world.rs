@@ -106,6 +106,8 @@ fn what_deforms_touches_and_is_near_and_passes_through() {
     let through = world.intersections(false).unwrap();
     assert!(!through.is_empty() && through.iter().all(|i| i.bodies == [body, 0]));
     assert!(world.has_intersection(false).unwrap());
+    assert!(world.has_overlap(false).unwrap());
+    assert!(!world.is_closed(body).unwrap());
     let near = world.pairs_within(0.11, false).unwrap();
     assert!(near.iter().any(|n| n.kind == 0 && n.bodies == [body, 0] && (n.distance - 0.1).abs() < 1e-12));
     assert!((world.earliest(&PathOptions::default()).unwrap().toi_lower - 0.5).abs() < 1e-9);

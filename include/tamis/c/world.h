@@ -148,10 +148,10 @@ TAMIS_API tamis_status tamis_world_is_free(tamis_world* world, const tamis_path_
 TAMIS_API tamis_status tamis_world_safe_step(tamis_world* world, double keep, const tamis_path_options* options,
                                              tamis_safe_step* answer);
 /** Finds pairs of features within `distance` plus both radii where all bodies are at t=0, rounded to doubles.
- * `include_static` 0: this question and the next two skip two bodies that stay at a pose, even where they pass through
- * each other. Other than 0: includes these, too, as needed before the first step.
- * Writes their number. tamis_world_copy_pairs_within() copies them, sorted as contacts.
- * Returns TAMIS_INVALID_OPTIONS unless `distance` is finite and >= 0. */
+ * `include_static` 0: this question and the next three skip two bodies that stay at a pose, even where they pass
+ * through each other. Other than 0: includes these, too, as needed before the first step. Writes their number.
+ * tamis_world_copy_pairs_within() copies them, sorted as contacts. Returns TAMIS_INVALID_OPTIONS unless `distance` is
+ * finite and >= 0. */
 TAMIS_API tamis_status tamis_world_pairs_within(tamis_world* world, double distance, int include_static, size_t* count);
 /** Finds every edge that passes through a triangle or touches it at t=0.
  * Writes their number. tamis_world_copy_intersections() copies them, sorted by bodies, edge and face. */
@@ -159,6 +159,15 @@ TAMIS_API tamis_status tamis_world_intersections(tamis_world* world, int include
 /** Tests whether there is any intersection. Ends at the first one.
  * Writes 1 if there is one, else 0. */
 TAMIS_API tamis_status tamis_world_has_intersection(tamis_world* world, int include_static, int* has_intersection);
+/** Tests whether two bodies overlap at t=0: there is an intersection, or a vertex of one lies inside another one. A
+ * body inside another touches nothing, so every motion within it is free. Only closed parts have an inside
+ * (tamis_world_is_closed). More in tamis/world.hpp.
+ * Writes 1 if they overlap, else 0. */
+TAMIS_API tamis_status tamis_world_has_overlap(tamis_world* world, int include_static, int* has_overlap);
+/** Tests whether a body's whole surface is closed: each edge has an even number of faces, if vertices at one place
+ * count as one. Open parts contain nothing in tamis_world_has_overlap. Writes 1 if it is, else 0. Returns
+ * TAMIS_INVALID_OPTIONS if the body does not exist. */
+TAMIS_API tamis_status tamis_world_is_closed(tamis_world* world, int32_t body, int* is_closed);
 
 /** Copies contacts, as tamis_detector_copy_contacts. Vertices are numbered in the bodies' own meshes. */
 TAMIS_API tamis_status tamis_world_copy_contacts(tamis_world* world, size_t first, size_t count,

@@ -181,6 +181,29 @@ TEST_F(BodiesVerb, StartIsAskedIfItIsToBe) {
   EXPECT_EQ(ask(scene("3"), "--check-start --json").json()["start_intersections"], 0);
 }
 
+// Bug: a body that moves within another one is "free, proven".
+TEST_F(BodiesVerb, BodiesInsideOthersAreFoundIfAsked) {
+  const auto scene = [](const std::string& height) {
+    return R"({"meshes": {"block": {"points": [[-1,-1,-1],[3,-1,-1],[-1,3,-1],[-1,-1,3]],
+                                    "faces": [[0,2,1],[0,1,3],[1,2,3],[2,0,3]]},
+                          "pin": {"points": [[-0.5,-0.5,-0.5],[-0.5,-0.5,0]], "edges": [[0,1]]}},
+               "bodies": [{"name": "block", "mesh": "block"},
+                          {"name": "pin", "mesh": "pin", "poses": [{"position": [0,0,)" +
+           height + R"(]}, {"position": [0.1,0,)" + height + R"(]}]}]})";
+  };
+  EXPECT_EQ(ask(scene("0"), "--check-start").code, 0);
+  const Outcome inside = ask(scene("0"), "--check-overlap");
+  EXPECT_EQ(inside.code, 1) << inside.err;
+  EXPECT_NE(inside.out.find("START           a body is inside another one; nothing else was tested"), std::string::npos)
+      << inside.out;
+  EXPECT_EQ(ask(scene("0"), "--check-overlap --json").json(),
+            nlohmann::json::parse(R"({"free": false, "start_intersections": 0, "start_overlaps": true})"));
+  const Outcome above = ask(scene("9"), "--check-overlap");
+  EXPECT_EQ(above.code, 0) << above.err;
+  EXPECT_NE(above.out.find("or is inside one"), std::string::npos) << above.out;
+  EXPECT_EQ(ask(scene("9"), "--check-overlap --json").json()["start_overlaps"], false);
+}
+
 // Bug: half a file answers as if the rest were at the origin; a sentence that does not say where.
 TEST_F(BodiesVerb, WhatCannotBeUsedIsRefusedWithItsPlace) {
   folder_.write("ball.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -90,6 +90,12 @@ class Bodies {
   bool has_intersection(bool include_static) {
     return asker_.answer([&] { return world_.has_intersection({include_static}); });
   }
+  bool has_overlap(bool include_static) {
+    return asker_.answer([&] { return world_.has_overlap({include_static}); });
+  }
+  bool is_closed(BodyId body) {
+    return asker_.answer([&] { return world_.is_closed(body); });
+  }
   nb::tuple safe_step(double keep, const PathOptions& q) {
     return step_tuple(asker_.answer([&] { return world_.safe_step(keep, q); }));
   }
@@ -149,6 +155,8 @@ void bind_world(nb::module_& module) {
       .def("pairs_within", &Bodies::pairs_within)
       .def("intersections", &Bodies::intersections)
       .def("has_intersection", &Bodies::has_intersection)
+      .def("has_overlap", &Bodies::has_overlap)
+      .def("is_closed", &Bodies::is_closed)
       .def("safe_step", &Bodies::safe_step)
       .def("statistics", &Bodies::statistics);
 }

@@ -263,6 +263,46 @@ class Questions:
         """
         return self._world.has_intersection(truth(include_static, "include_static"))
 
+    def has_overlap(self, *, include_static: bool = False) -> bool:
+        """Tell whether two bodies overlap at t=0: any intersection, or a vertex of one inside another.
+
+        A body inside another touches nothing, so every motion within it is free. Ask this of a planner's first
+        configuration. Decided exactly. Only closed parts have an inside (`is_closed`).
+
+        Parameters
+        ----------
+        include_static : bool
+            As in `pairs_within`.
+
+        Returns
+        -------
+        bool
+            Whether there is an overlap.
+        """
+        return self._world.has_overlap(truth(include_static, "include_static"))
+
+    def is_closed(self, body: int) -> bool:
+        """Tell whether the whole surface of a body is closed. Open parts contain nothing in `has_overlap`.
+
+        It is closed if each edge has an even number of faces. Vertices at one place count as one.
+
+        Parameters
+        ----------
+        body : int
+            A number that `add` has returned.
+
+        Returns
+        -------
+        bool
+            Whether the body has a face, and all its faces are in closed parts.
+
+        Raises
+        ------
+        InvalidOptions
+            There is no such body.
+        """
+        return self._world.is_closed(whole(body, "body"))
+
     def points_at(self, body: int, time: float) -> tuple[Doubles, float]:
         """Compute where the vertices of a body are at `time`, on the curves that questions are about.
 

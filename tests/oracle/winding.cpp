@@ -9,49 +9,50 @@
 namespace tamis::oracle {
 namespace {
 
-using Vector = std::array<Rational, 3>;
+using Arrow = std::array<Rational, 3>;
 
-Vector difference(const Point& a, const Point& b) {
+Arrow difference(const Point& a, const Point& b) {
   return {Rational(a[0]) - Rational(b[0]), Rational(a[1]) - Rational(b[1]), Rational(a[2]) - Rational(b[2])};
 }
-Vector cross(const Vector& a, const Vector& b) {
+Arrow rational_cross(const Arrow& a, const Arrow& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-Rational dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Rational rational_dot(const Arrow& a, const Arrow& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// 1 or -1 if the ray passes through the inside of the face, 0 if it misses, nothing if it meets an edge.
-std::optional<int> crossing(const Vector& direction, const std::array<Vector, 3>& corners) {
+std::optional<int> crossing(const Arrow& direction, const std::array<Arrow, 3>& corners) {
   std::array<int, 3> sides;
-  for (std::size_t i = 0; i < 3; ++i) sides[i] = dot(direction, cross(corners[i], corners[(i + 1) % 3])).sign();
+  for (std::size_t i = 0; i < 3; ++i)
+    sides[i] = rational_dot(direction, rational_cross(corners[i], corners[(i + 1) % 3])).sign();
   if (sides[0] == 0 || sides[1] == 0 || sides[2] == 0) return {};
   if (sides[0] != sides[1] || sides[1] != sides[2]) return 0;
-  const Rational volume = dot(corners[0], cross(corners[1], corners[2]));
+  const Rational volume = rational_dot(corners[0], rational_cross(corners[1], corners[2]));
   return volume.sign() == sides[0] ? sides[0] : 0;
 }
 
-bool has_area(const std::array<Vector, 3>& corners) {
-  Vector first, second;
+bool has_area(const std::array<Arrow, 3>& corners) {
+  Arrow first, second;
   for (std::size_t k = 0; k < 3; ++k) {
     first[k] = corners[1][k] - corners[0][k];
     second[k] = corners[2][k] - corners[0][k];
   }
-  const Vector normal = cross(first, second);
-  return dot(normal, normal).sign() != 0;
+  const Arrow normal = rational_cross(first, second);
+  return rational_dot(normal, normal).sign() != 0;
 }
 
 }  // namespace
 
 Crossings crossings(const Point& origin, const std::vector<Point>& points, const std::vector<Face>& faces) {
-  std::vector<std::array<Vector, 3>> all;
+  std::vector<std::array<Arrow, 3>> all;
   for (const Face& face : faces) {
-    std::array<Vector, 3> corners;
+    std::array<Arrow, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) corners[i] = difference(points[static_cast<std::size_t>(face[i])], origin);
     if (has_area(corners)) all.push_back(corners);
   }
   std::mt19937 random(7);
   std::uniform_int_distribution<int> number(-100000, 100000);
   for (;;) {
-    const Vector direction{Rational(number(random)), Rational(number(random)), Rational(number(random))};
+    const Arrow direction{Rational(number(random)), Rational(number(random)), Rational(number(random))};
     Crossings sum;
     bool is_sure = true;
     for (const auto& corners : all) {

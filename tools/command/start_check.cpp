@@ -91,13 +91,14 @@ void StartCheck::print() const {
 }
 
 void StartCheck::print_for_bodies() const {
-  fmt::print(
-      "{}\n",
-      asks_overlap_ ? "START           no body that moves passes through another or is inside one, no deforming one "
-                      "passes through itself, proven"
-      : is_asked_ ? "START           no body that moves passes through another, no deforming one through itself, "
-                    "proven"
-                  : "presupposes     bodies that do not pass through each other at the START: --check-start tests this");
+  fmt::print("{}\n",
+             asks_overlap_
+                 ? "START           no body that moves passes through another or is inside one, no deforming one "
+                   "passes through itself, proven"
+             : is_asked_
+                 ? "START           no body that moves passes through another, no deforming one through itself, "
+                   "proven"
+                 : "presupposes     bodies that do not pass through each other at the START: --check-start tests this");
 }
 
 void StartCheck::add_to(Json& json) const {

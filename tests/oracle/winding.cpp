@@ -19,15 +19,21 @@ Arrow rational_cross(const Arrow& a, const Arrow& b) {
 }
 Rational rational_dot(const Arrow& a, const Arrow& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// 1 or -1 if the ray passes through the inside of the face, 0 if it misses, nothing if it meets an edge.
+/// 1 or -1 if the ray passes through the inside of the face, 0 if it misses, nothing if it meets an edge or lies in the
+/// face's plane. A ray from another point of that plane misses the face.
 std::optional<int> crossing(const Arrow& direction, const std::array<Arrow, 3>& corners) {
-  std::array<int, 3> sides;
+  std::array<Rational, 3> sides;
   for (std::size_t i = 0; i < 3; ++i)
-    sides[i] = rational_dot(direction, rational_cross(corners[i], corners[(i + 1) % 3])).sign();
-  if (sides[0] == 0 || sides[1] == 0 || sides[2] == 0) return {};
-  if (sides[0] != sides[1] || sides[1] != sides[2]) return 0;
-  const Rational volume = rational_dot(corners[0], rational_cross(corners[1], corners[2]));
-  return volume.sign() == sides[0] ? sides[0] : 0;
+    sides[i] = rational_dot(direction, rational_cross(corners[i], corners[(i + 1) % 3]));
+  const Rational climb = sides[0] + sides[1] + sides[2],
+                 volume = rational_dot(corners[0], rational_cross(corners[1], corners[2]));
+  if (climb.sign() == 0) return {};
+  if (volume.sign() == 0) return 0;
+  for (const Rational& side : sides)
+    if (side.sign() == 0) return {};
+  for (const Rational& side : sides)
+    if (side.sign() != climb.sign()) return 0;
+  return volume.sign() == climb.sign() ? climb.sign() : 0;
 }
 
 bool has_area(const std::array<Arrow, 3>& corners) {

@@ -1,0 +1,33 @@
+// node make_step.mjs NAME START.ply END.ply: writes steps/NAME.js, a step of the first page, from two frames that `tamis scene`
+// has written. Coordinates become floats on a grid of 2^-14 metres, which compress well. The frames of the page:
+//   tamis scene cloth-ball --triangles 12000 --out cloth     (40 and 41)
+//   tamis scene funnel --out funnel                          (60 and 61)
+import { readFileSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { deflateSync } from "node:zlib";
+
+const kGrid = 2 ** -14;
+
+/** A frame with floats in place of doubles. */
+function withFloats(path) {
+  const file = readFileSync(path);
+  const mark = "end_header\n";
+  const headerEnd = file.indexOf(mark) + mark.length;
+  const header = file.subarray(0, headerEnd).toString();
+  const [, vertices] = /element vertex (\d+)/.exec(header);
+  const numbers = 3 * Number(vertices);
+  const floats = Buffer.alloc(4 * numbers);
+  for (let i = 0; i < numbers; ++i)
+    floats.writeFloatLE(kGrid * Math.round(file.readDoubleLE(headerEnd + 8 * i) / kGrid), 4 * i);
+  return Buffer.concat([
+    Buffer.from(header.replace(/property double/g, "property float")),
+    floats,
+    file.subarray(headerEnd + 8 * numbers),
+  ]);
+}
+
+const [name, ...paths] = process.argv.slice(2);
+const out = join(dirname(fileURLToPath(import.meta.url)), "steps", `${name}.js`);
+const texts = paths.map((path) => deflateSync(withFloats(path), { level: 9 }).toString("base64"));
+writeFileSync(out, `(self.tamisSteps ??= {})[${JSON.stringify(name)}] = ${JSON.stringify(texts)};\n`);

@@ -1,4 +1,4 @@
-// node make_step.mjs NAME START.ply END.ply: writes steps/NAME.js, a step of the first page, from two frames that `tamis scene`
+// node make_step.mjs NAME START.ply END.ply: writes dist/step-NAME.js, a step of the first page, from two frames that `tamis scene`
 // has written. Coordinates become floats on a grid of 2^-14 metres, which compress well. The frames of the page:
 //   tamis scene cloth-ball --triangles 12000 --out cloth     (40 and 41)
 //   tamis scene funnel --out funnel                          (60 and 61)
@@ -28,6 +28,6 @@ function withFloats(path) {
 }
 
 const [name, ...paths] = process.argv.slice(2);
-const out = join(dirname(fileURLToPath(import.meta.url)), "steps", `${name}.js`);
+const out = join(dirname(fileURLToPath(import.meta.url)), "dist", `step-${name}.js`);
 const texts = paths.map((path) => deflateSync(withFloats(path), { level: 9 }).toString("base64"));
 writeFileSync(out, `(self.tamisSteps ??= {})[${JSON.stringify(name)}] = ${JSON.stringify(texts)};\n`);

@@ -21,6 +21,12 @@ declare global {
 const at = (id: string): HTMLElement => document.getElementById(id)!;
 const inputAt = (id: string): HTMLInputElement => at(id) as HTMLInputElement;
 
+/** With a capital, but for names of files, and a full stop. */
+function sentence(words: string): string {
+  const first = /^\S*\.\S/.test(words) ? words.charAt(0) : words.charAt(0).toUpperCase();
+  return `${first}${words.slice(1).replace(/\.$/, "")}.`;
+}
+
 class Page {
   private readonly viewer = new ViewerFrame(at("viewer") as HTMLIFrameElement);
   private readonly own = new OwnFiles();
@@ -137,8 +143,7 @@ class Page {
       try {
         await next();
       } catch (error) {
-        const words = reasonOf(error).replace(/\.$/, "");
-        this.tell(`${words.charAt(0).toUpperCase()}${words.slice(1)}.`, true);
+        this.tell(sentence(reasonOf(error)), true);
       }
     }
     this.busy = false;

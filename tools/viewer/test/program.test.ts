@@ -89,7 +89,7 @@ const choose = (page: Page, ...names: string[]): Promise<void> =>
 
 // Bug: the first picture needs more than 3 MB, or more than the site itself.
 void test("shows the cloth on the ball, from a server", async () => {
-  const { page, faults } = await open(address);
+  const { page, faults } = await open(address, { colorScheme: "dark" });
   assert.match(await said(page), /^\d+ contacts, the first at 0\.\d+ of the step\. .* for 11,872 triangles in this browser\.$/);
   assert.equal(await listed(page), Number((await said(page)).split(" ")[0]));
   const loaded = ["index.html", "viewer.html", "module.js", "step-cloth.js"];

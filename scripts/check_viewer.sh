@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_viewer.sh style|page|tests|site [COMMAND|SITE [SCREENSHOTS]]. style: checks types, lint and format of the viewer's sources.
-# page: checks that they build the committed page, byte for byte. tests: runs the tests in Chromium, and saves pictures of the
+# page: checks that they build the committed pages, byte for byte. tests: runs the tests in Chromium, and saves pictures of the
 # pages in the folder SCREENSHOTS, for who wants to look. site: the same for a built site (scripts/site.sh). Exit code 77 if Node, its packages or Chromium is absent.
 set -euo pipefail
 cd "$(dirname "$0")/../tools/viewer"
@@ -17,8 +17,12 @@ case $1 in
   page)
     built=$(mktemp --suffix=.html)
     trap 'rm -f "$built"' EXIT
-    node build.mjs "$built"
-    cmp "$built" dist/viewer.html || { echo "tools/viewer/dist/viewer.html is not what tools/viewer/src builds: npm run build"; exit 1; }
+    compare() {
+      node "$1" "$built"
+      cmp "$built" "$2" || { echo "$2, seen from tools/viewer, is not what tools/viewer/src builds: npm run build"; exit 1; }
+    }
+    compare build.mjs dist/viewer.html
+    compare build_program.mjs ../program/dist/index.html
     ;;
   tests)
     export TAMIS_CHROMIUM=${TAMIS_CHROMIUM:-/usr/bin/chromium}

@@ -25,6 +25,8 @@ export TAMIS_SITE=$work PYTHONDONTWRITEBYTECODE=1
 "${sphinx%/*}/python" tools/site/pages.py "$work"
 "$sphinx" --quiet --fail-on-warning --keep-going --jobs auto --conf-dir tools/site --doctree-dir "$work/doctrees" \
   "$work/source" "$site"
+# The first page is the program; the README is the overview.
+cp tools/program/dist/{*.html,*.js} tools/viewer/dist/viewer.html "$site"
 "${sphinx%/*}/python" tools/site/check_built.py "$site"
 rm -rf "$work"
 echo "the site: $site/index.html, $(du -sh "$site" | cut -f1)"

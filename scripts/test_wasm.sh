@@ -16,6 +16,7 @@ scripts/setup.sh --wasm || { echo "skipped: emscripten 3.1.50 or newer cannot be
 cmake --preset wasm
 cmake --build --preset wasm --target "${targets[@]}"
 ctest --preset wasm --parallel "$(nproc)" "${tests[@]}"
+scripts/program_module.sh --check
 for file in build/wasm/bindings/wasm/tamis.{js,wasm}; do
   echo "$(basename "$file"): $(wc -c <"$file") bytes, by gzip -9 $(gzip -9c "$file" | wc -c)"
 done

@@ -49,7 +49,8 @@ def main() -> int:
     """Print what is wrong. Exit code 1 if anything is."""
     site = pathlib.Path(sys.argv[1]).resolve()
     # Pages of the viewer are whole programs in one file, with links of their own making.
-    pages = {file: Page(file) for file in sorted(site.rglob("*.html")) if "data-content_root" in file.read_text()[:200]}
+    pages = {file: Page(file) for file in sorted(site.rglob("*.html"))
+             if file == site / "index.html" or "data-content_root" in file.read_text()[:200]}
     wrong = [each for file in pages for each in broken(site, file, pages)]
     for style in sorted(site.rglob("*.css")):
         urls = re.findall(r"url\(['\"]?((?:https?:)?//[^)'\"]+)", style.read_text())

@@ -21,6 +21,7 @@ from sphinx.util import logging  # noqa: E402
 
 project = html_title = "Tamis"
 html_theme = "furo"
+root_doc = "overview"  # index.html is the program
 html_extra_path = [str(BUILT / "html")]
 html_show_copyright = html_show_sphinx = html_show_sourcelink = html_copy_source = False
 html_permalinks_icon = "#"

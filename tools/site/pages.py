@@ -20,6 +20,7 @@ from python_module import public_module
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 DOCUMENTS = "docs/README.md"  # its parts and links, in their order, are the navigation
 LINK = re.compile(r"(!?\[[^\]]*\])\(([^)\s]+)\)|(src=\")([^\"]+)(\")")
+PROGRAM = '\n\n<p><a href="index.html">Try Tamis in this browser</a></p>\n'
 # Part of the Python reference: its title, and the modules whose public names stand there.
 PYTHON = {
     "detector": ("Detector", ["_detector", "_mesh", "_weld"]),
@@ -40,8 +41,11 @@ def tree(entries: list[str], options: str = "") -> str:
 
 
 def place(path: str) -> str:
-    """Return where a document of the checkout stands in the site: the README of a folder is its first page."""
-    return re.sub(r"(^|/)README\.md$", r"\1index.md", path)
+    """Return where a document of the checkout stands in the site: the README of a folder is its first page.
+
+    The site's own first page is the program (tools/program), so the README of the checkout is `overview`.
+    """
+    return "overview.md" if path == "README.md" else re.sub(r"(^|/)README\.md$", r"\1index.md", path)
 
 
 def is_page(path: str) -> bool:
@@ -58,7 +62,7 @@ def copied(path: str, folder: pathlib.Path) -> str:
             return found[0]
         linked = os.path.normpath(pathlib.Path(path).parent / name)
         if is_page(linked):
-            return f"{text}({place(name)}{mark}{section})"
+            return f"{text}({os.path.relpath(place(linked), pathlib.Path(path).parent)}{mark}{section})"
         copy = folder / ("html" if name.endswith(".html") else "source") / linked
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(ROOT / linked, copy)
@@ -70,7 +74,7 @@ def copied(path: str, folder: pathlib.Path) -> str:
 
 def navigation(pages: dict[str, str]) -> str:
     """Return the trees of the first page: a part for each bold heading of docs/README.md, and the reference."""
-    trees, seen = [], {"index.md"}
+    trees, seen = [], {"overview.md"}
     for part in re.split(r"^(?=\*\*)", pages[place(DOCUMENTS)], flags=re.MULTILINE)[1:]:
         caption = re.match(r"\*\*(.*?)\*\*", part)[1].rstrip(":?")
         targets = [place(os.path.normpath(f"docs/{target.partition('#')[0]}")) for _, target, *_ in LINK.findall(part)]
@@ -140,7 +144,7 @@ def main() -> None:
     listed = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard", "*.md"], cwd=ROOT,
                             check=True, capture_output=True, text=True).stdout.split()
     pages = {place(path): copied(path, folder) for path in listed if is_page(path) and (ROOT / path).is_file()}
-    pages["index.md"] += tree(["docs/index"]) + navigation(pages)
+    pages["overview.md"] += PROGRAM + tree(["docs/index"]) + navigation(pages)
     pages |= headers("cpp", "C++", "include/tamis", folder / "cpp", "The public headers, all included by `tamis/tamis.hpp`. "
                      "[From C++](../../docs/cpp.md) leads through them.")
     pages |= headers("c", "C", "include/tamis/c", folder / "c", first_comment((ROOT / "include/tamis/tamis.h").read_text())

@@ -30,14 +30,14 @@ async function shoot(tab, name) {
 const background = (tab) => tab.evaluate(() => getComputedStyle(document.body).backgroundColor);
 
 async function testColours() {
-  const [light, dark] = [await open("index.html", desk, "light"), await open("index.html", desk, "dark")];
+  const [light, dark] = [await open("overview.html", desk, "light"), await open("overview.html", desk, "dark")];
   assert.notEqual(await background(light), await background(dark), "dark and light look the same");
   await shoot(light, "first-light");
   await shoot(dark, "first-dark");
 }
 
 async function testSearch(words, wanted) {
-  const tab = await open("index.html", desk);
+  const tab = await open("overview.html", desk);
   await tab.fill(".sidebar-search", words);
   await tab.press(".sidebar-search", "Enter");
   await tab.waitForFunction(() => /finished/.test(document.querySelector(".search-summary")?.textContent));
@@ -51,7 +51,7 @@ async function testSearch(words, wanted) {
 }
 
 async function testPhone() {
-  const tab = await open("index.html", phone);
+  const tab = await open("overview.html", phone);
   const pages = readdirSync(site, { recursive: true }).filter((name) => name.endsWith(".html"));
   for (const page of pages.filter((name) => !name.startsWith(join("docs", "looking") + "/"))) {
     await tab.goto(`file://${join(site, page)}`);
@@ -74,7 +74,7 @@ async function testPictures() {
     await shoot(await open(page, desk), name);
     await shoot(await open(page, phone, "dark"), `${name}-phone`);
   }
-  await shoot(await open("index.html", phone), "first-phone");
+  await shoot(await open("overview.html", phone), "first-phone");
 }
 
 try {

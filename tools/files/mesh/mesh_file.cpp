@@ -55,9 +55,9 @@ bool is_utf16(std::string_view bytes) {
           (bytes[1] == 0) == (bytes[3] == 0));
 }
 
-MeshFile parse(const FileBytes& file, const std::filesystem::path& path) {
+MeshFile parse(std::string_view all_bytes, const std::filesystem::path& path) {
   const std::string name = path.string();
-  const std::string_view bytes = without_mark(file.view());
+  const std::string_view bytes = without_mark(all_bytes);
   if (bytes.empty()) throw FileError(name, "", fmt::format("the file is empty: give a {} file", mesh_format_names()));
   const MeshFormat* format = mesh_format_of(bytes, path);
   if (!format) throw FileError(name, "", fmt::format("not {}: {}", mesh_format_names(), advice_on(path)));
@@ -163,9 +163,11 @@ std::string skipped_in(const MeshFile& mesh) {
 
 }  // namespace
 
-MeshFile read_mesh(const std::filesystem::path& path) {
+MeshFile read_mesh(const std::filesystem::path& path) { return mesh_in(FileBytes(path).view(), path); }
+
+MeshFile mesh_in(std::string_view bytes, const std::filesystem::path& path) {
   const ComputingState state;
-  MeshFile mesh = parse(FileBytes(path), path);
+  MeshFile mesh = parse(bytes, path);
   if (mesh.positions.empty()) throw FileError(path.string(), "", "no vertex in it: give a mesh");
   if (mesh.positions.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
     throw FileError(path.string(), "", "more vertices than 32-bit indices can name: give a smaller mesh");

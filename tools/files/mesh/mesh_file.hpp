@@ -32,6 +32,8 @@ struct MeshFile {
 /// Reads a file of any of the mesh_formats(). Every index is in range and there is at least one feature. Throws
 /// FileError.
 MeshFile read_mesh(const std::filesystem::path& path);
+/// The same for the bytes of a file that is in memory already.
+MeshFile mesh_in(std::string_view bytes, const std::filesystem::path& path);
 
 /// The topology of the file.
 Mesh mesh_of(MeshFile file);

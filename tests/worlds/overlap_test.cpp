@@ -154,9 +154,10 @@ TEST(Overlap, SplitVerticesAreOne) {
   EXPECT_TRUE(overlap(shape, inner));
   EXPECT_TRUE(overlap(shape, inner, still({{1, 2, 3}, {0.5, 1, 2}}), still({{1, 2, 3}, {}})));
   std::vector<Point> torn = split.points;
-  EXPECT_TRUE(overlap(shape, inner, Deforming{torn, torn}));
   torn[0][0] += 1;
-  EXPECT_FALSE(overlap(shape, inner, Deforming{torn, torn}));
+  World world;
+  EXPECT_TRUE(world.is_closed(world.add(shape, Deforming{split.points, split.points})));
+  EXPECT_FALSE(world.is_closed(world.add(shape, Deforming{torn, torn})));
 }
 
 TEST(Overlap, KnowsEachOfManyParts) {

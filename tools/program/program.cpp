@@ -1,5 +1,5 @@
-// The program of the site's first page, as its worker calls it: two files in memory make a step, which is queried at any
-// length. Every function that may fail returns a sentence; an empty one means success.
+// The program of the site's first page, as its worker calls it: two files in memory make a step, which is queried at
+// any length. Every function that may fail returns a sentence; an empty one means success.
 #include <fmt/format.h>
 
 #include <cstring>
@@ -92,8 +92,8 @@ void ask(double length, bool all) {
   if (!opened) throw Error("no step is open: choose one, or drop two files");
   std::vector<Point> end = opened->end;
   io::scale_step(opened->start, end, length);
-  io::Recording recording{opened->detector.mesh(), opened->detector.options(), length,           opened->names,
-                          {opened->start, opened->end}, {found_in({opened->start, end}, all)}};
+  io::Recording recording{opened->detector.mesh(), opened->detector.options(),   length,
+                          opened->names,           {opened->start, opened->end}, {found_in({opened->start, end}, all)}};
   const std::string_view why_not = io::why_not_quantised(recording);
   if (!why_not.empty()) throw Error(std::string(why_not));
   scene = io::scene_bytes(recording);
@@ -111,8 +111,9 @@ extern "C" const char* program_open(char* start_name, char* start, std::size_t s
                                     std::size_t end_bytes) {
   const std::unique_ptr<char[]> held[]{std::unique_ptr<char[]>(start_name), std::unique_ptr<char[]>(start),
                                        std::unique_ptr<char[]>(end_name), std::unique_ptr<char[]>(end)};
-  return tamis::program::sentence_of(
-      [&] { tamis::program::open(start_name, {start, start_bytes}, end_name, {end, end_bytes}); });
+  return tamis::program::sentence_of([&] {
+    tamis::program::open(start_name, {start, start_bytes}, end_name, {end, end_bytes});
+  });
 }
 
 /// Queries start + length (end - start): for all contacts, or for the first.

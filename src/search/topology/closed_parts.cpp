@@ -15,14 +15,15 @@ bool is_folded(const Face& face) { return face[0] == face[1] || face[1] == face[
 
 /// A side of a face, in the order of the smaller vertex. `direction`: 1 if the face goes from the smaller to the
 /// greater vertex, else -1.
-struct Side {
+struct DirectedSide {
   Edge edge;
   Index component;
   int direction;
 };
 
-std::vector<Side> sides_of(std::span<const Face> faces, const std::vector<Index>& component_of_vertex) {
-  std::vector<Side> sides;
+std::vector<DirectedSide> directed_sides_of(std::span<const Face> faces,
+                                            const std::vector<Index>& component_of_vertex) {
+  std::vector<DirectedSide> sides;
   for (const Face& face : faces) {
     if (is_folded(face)) continue;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -30,16 +31,16 @@ std::vector<Side> sides_of(std::span<const Face> faces, const std::vector<Index>
       sides.push_back({{std::min(a, b), std::max(a, b)}, component_of_vertex[at(a)], a < b ? 1 : -1});
     }
   }
-  std::ranges::sort(sides, {}, &Side::edge);
+  std::ranges::sort(sides, {}, &DirectedSide::edge);
   return sides;
 }
 
 /// What closes a component: nothing, an even number of faces at each edge, or as many in each direction.
 enum class Closing : std::uint8_t { open, even, wound };
 
-std::vector<Closing> closings_of(const std::vector<Side>& sides, Index components) {
+std::vector<Closing> closings_of(const std::vector<DirectedSide>& sides, Index components) {
   std::vector<Closing> closings(at(components), Closing::open);
-  for (const Side& side : sides) closings[at(side.component)] = Closing::wound;
+  for (const DirectedSide& side : sides) closings[at(side.component)] = Closing::wound;
   for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
     int sum = 0;
     for (next = i; next < sides.size() && sides[next].edge == sides[i].edge; ++next) sum += sides[next].direction;
@@ -86,7 +87,8 @@ ClosedParts::ClosedParts(const Mesh& given, std::span<const Point> points) {
   for (const Index v : mesh.points())
     if (Index& first = one_vertex_of_each[at(components.of_vertex[at(v)])]; first == kOpen) first = v;
 
-  const std::vector<Closing> closings = closings_of(sides_of(mesh.faces(), components.of_vertex), components.count);
+  const std::vector<Closing> closings =
+      closings_of(directed_sides_of(mesh.faces(), components.of_vertex), components.count);
   std::vector<Index> number(closings.size(), kOpen);
   for (std::size_t i = 0; i < closings.size(); ++i)
     if (closings[i] != Closing::open) number[i] = closings[i] == Closing::wound ? kWound : count++;

@@ -215,8 +215,24 @@ void test("says that memory cannot grow, and answers the next step", async () =>
   await said(page);
   await lengthen(page, 10);
   assert.match(await said(page), /^The browser gives no (more )?memory/);
+  await lengthen(page, 3);
+  assert.match(await said(page), /^10,\d+ contacts/);
   await choose(page, "start.obj", "end.obj");
   assert.match(await said(page), /^\d+ contacts/);
+  await page.close();
+});
+
+// Bug: a question that takes too long can be ended with the page alone.
+void test("stops a question", async () => {
+  const mute = (text: string): string => text.replace('"script":"', '"script":"self.postMessage = () => 0;');
+  const { page } = await open(address, {}, ["module.js", mute]);
+  for (let i = 0; i < 2; ++i) {
+    await page.locator("#says").getByText("Reading the step").waitFor();
+    await page.locator("#stop").click();
+    assert.match(await said(page), /^Stopped: take a shorter step/);
+    assert.equal(await page.locator("#stop").isVisible(), false);
+    await page.locator("[data-step=cloth]").click();
+  }
   await page.close();
 });
 

@@ -7,6 +7,7 @@ import type { AddressInfo } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
 import type { Browser, BrowserContextOptions, Page } from "playwright-core";
 import { launch, picture } from "./browser";
 import { Folder, obj, sheet } from "./command";
@@ -127,7 +128,7 @@ void test("shows the cloth on the ball, from a server", async () => {
 
 // Bug: a page that is opened from a file finds neither module nor viewer.
 void test("works from a file, on a phone, in light colours", async () => {
-  const { page, faults } = await open(`file://${built}/index.html`, {
+  const { page, faults } = await open(pathToFileURL(join(built, "index.html")).href, {
     viewport: { width: 390, height: 844 },
     colorScheme: "light",
   });

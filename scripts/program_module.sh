@@ -23,6 +23,7 @@ cmake --preset wasm >/dev/null
 cmake --build --preset wasm --target tamis_program
 if [[ ${1:-} == --check ]]; then
   node tools/program/module.mjs same $build/tools/program
+  echo "the module is what the sources give, byte for byte"
   exit
 fi
 node tools/program/module.mjs pack $build/tools/program

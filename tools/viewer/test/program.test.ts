@@ -7,6 +7,7 @@ import type { AddressInfo } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
 import type { Browser, BrowserContextOptions, Page } from "playwright-core";
 import { launch, picture } from "./browser";
 import { Folder, obj, sheet } from "./command";
@@ -46,12 +47,17 @@ interface Opened {
 }
 
 /** A page at an address; `edit` changes a file that it loads. */
-async function open(url: string, options: BrowserContextOptions = {}, edit?: [string, (text: string) => string]): Promise<Opened> {
+async function open(
+  url: string,
+  options: BrowserContextOptions = {},
+  edit?: [string, (text: string) => string],
+): Promise<Opened> {
   const page = await browser.newPage({ viewport: { width: 1100, height: 760 }, reducedMotion: "reduce", ...options });
   page.setDefaultTimeout(120000);
   const faults: string[] = [];
   page.on("console", (message) => {
-    if (["error", "warning"].includes(message.type()) && !message.text().includes("GPU stall")) faults.push(message.text());
+    if (["error", "warning"].includes(message.type()) && !message.text().includes("GPU stall"))
+      faults.push(message.text());
   });
   page.on("pageerror", (error) => faults.push(error.message));
   page.on("request", (request) => {
@@ -70,7 +76,9 @@ async function open(url: string, options: BrowserContextOptions = {}, edit?: [st
 
 /** What the page says, once it is no longer busy. */
 async function said(page: Page): Promise<string> {
-  await page.waitForFunction(() => !document.body.dataset.busy && !document.getElementById("says")!.textContent.endsWith("…"));
+  await page.waitForFunction(
+    () => !document.body.dataset.busy && !document.getElementById("says")!.textContent.endsWith("…"),
+  );
   return page.locator("#says").innerText();
 }
 
@@ -90,7 +98,10 @@ const choose = (page: Page, ...names: string[]): Promise<void> =>
 // Bug: the first picture needs more than 3 MB, or more than the site itself.
 void test("shows the cloth on the ball, from a server", async () => {
   const { page, faults } = await open(address, { colorScheme: "dark" });
-  assert.match(await said(page), /^\d+ contacts, the first at 0\.\d+ of the step\. .* for 11,872 triangles in this browser\.$/);
+  assert.match(
+    await said(page),
+    /^\d+ contacts, the first at 0\.\d+ of the step\. .* for 11,872 triangles in this browser\.$/,
+  );
   assert.equal(await listed(page), Number((await said(page)).split(" ")[0]));
   const loaded = ["index.html", "viewer.html", "module.js", "step-cloth.js"];
   const sizes = await Promise.all(loaded.map(async (name) => (await stat(join(built, name))).size));
@@ -103,7 +114,10 @@ void test("shows the cloth on the ball, from a server", async () => {
   await lengthen(page, 5);
   assert.ok((await listed(page)) > 300);
   await page.locator("#first").click();
-  assert.match(await said(page), /^The first contact is at 0\.2\d+ of the step\. The motion before it is proven free\./);
+  assert.match(
+    await said(page),
+    /^The first contact is at 0\.2\d+ of the step\. The motion before it is proven free\./,
+  );
   assert.equal(await listed(page), 1);
   await page.locator("[data-step=funnel]").click();
   assert.match(await said(page), /^10,\d+ contacts/);
@@ -114,7 +128,7 @@ void test("shows the cloth on the ball, from a server", async () => {
 
 // Bug: a page that is opened from a file finds neither module nor viewer.
 void test("works from a file, on a phone, in light colours", async () => {
-  const { page, faults } = await open(`file://${built}/index.html`, {
+  const { page, faults } = await open(pathToFileURL(join(built, "index.html")).href, {
     viewport: { width: 390, height: 844 },
     colorScheme: "light",
   });
@@ -182,7 +196,9 @@ void test("takes files that are dropped", async () => {
         for (const kind of ["dragover", "drop"])
           document.body.dispatchEvent(new DragEvent(kind, { bubbles: true, cancelable: true, dataTransfer }));
       },
-      await Promise.all(["end.obj", "start.obj"].map(async (name) => [name, await readFile(folder.file(name), "utf8")])),
+      await Promise.all(
+        ["end.obj", "start.obj"].map(async (name) => [name, await readFile(folder.file(name), "utf8")]),
+      ),
     );
     await page.locator("#own[aria-pressed=true]").waitFor();
     assert.match(await said(page), /^\d+ contacts/);
@@ -197,9 +213,27 @@ void test("says that memory cannot grow, and answers the next step", async () =>
   const { page } = await open(address, {}, ["module.js", full]);
   await said(page);
   await page.locator("[data-step=funnel]").click();
-  assert.match(await said(page), /memory/);
+  await said(page);
+  await lengthen(page, 10);
+  assert.match(await said(page), /^The browser gives no (more )?memory/);
+  await lengthen(page, 3);
+  assert.match(await said(page), /^10,\d+ contacts/);
   await choose(page, "start.obj", "end.obj");
   assert.match(await said(page), /^\d+ contacts/);
+  await page.close();
+});
+
+// Bug: a question that takes too long can be ended with the page alone.
+void test("stops a question", async () => {
+  const mute = (text: string): string => text.replace('"script":"', '"script":"self.postMessage = () => 0;');
+  const { page } = await open(address, {}, ["module.js", mute]);
+  for (let i = 0; i < 2; ++i) {
+    await page.locator("#says").getByText("Reading the step").waitFor();
+    await page.locator("#stop").click();
+    assert.match(await said(page), /^Stopped: take a shorter step/);
+    assert.equal(await page.locator("#stop").isVisible(), false);
+    await page.locator("[data-step=cloth]").click();
+  }
   await page.close();
 });
 
@@ -211,7 +245,7 @@ void test("says what the browser lacks", async () => {
   assert.match(await said(first.page), /has no 128-bit SIMD .*: use that version or a newer one\.$/);
   await first.page.close();
   const old = (text: string): string => text.replace("<script>", "<script>delete window.DecompressionStream;");
-  const second = await open(address, {}, ["index.html", old]);
+  const second = await open(`${address}index.html`, {}, ["index.html", old]);
   assert.match(await said(second.page), /^This browser has no decompression streams: use Chrome/);
   await second.page.close();
   const flat = await launch("--disable-3d-apis");

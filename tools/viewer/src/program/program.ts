@@ -33,7 +33,10 @@ export class Program {
     const { source } = this;
     if (!source) throw new Error("no step is open: choose one, or drop two files");
     if (!this.worker) await this.open(source);
-    const told = await this.ask({ ask: "find", length, all }, []);
+    const told = await this.ask({ ask: "find", length, all }, []).catch((error: unknown) => {
+      this.stop(""); // a module's memory never shrinks: the next question has a new one
+      throw error;
+    });
     if (!told.facts) throw new Error("the module has not answered");
     return { facts: told.facts, scene: told.scene };
   }

@@ -153,7 +153,7 @@ def test_what_is_said_of_it(cloth: Part) -> None:
     assert repr(cloth.detector()).startswith(f"Detector(rank {RANK} of {SIZE}, min_separation=")
     for thing in (distributed.Detector, distributed.Statistics, distributed.Balance):
         assert thing.__doc__ and len(thing.__doc__) > 20
-    with pytest.raises(tamis.Error, match="of many ranks"):
+    with pytest.raises(tamis.Error, match="ranks"):
         cloth.detector().contacts(cloth.start, cloth.end).save("step.html")
 
 

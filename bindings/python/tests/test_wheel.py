@@ -44,7 +44,7 @@ def test_metadata_name_every_licence() -> None:
     assert set(metadata.get_all("License-File") or []) == inside
     if any("tamis.libs/" in str(file) for file in files):
         expression = metadata["License-Expression"].split(" AND ")
-        assert {"MIT", "Apache-2.0", "MPL-2.0", "BSD-3-Clause"} <= set(expression)
+        assert {"MIT", "Apache-2.0", "MPL-2.0", "BSD-3-Clause"} == set(expression)
         assert not any("GPL" in licence for licence in expression)
 
 

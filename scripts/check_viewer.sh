@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # check_viewer.sh style|page|tests|site [COMMAND|SITE [SCREENSHOTS]]. style: checks types, lint and format of the viewer's sources.
 # page: checks that they build the committed pages, byte for byte. tests: runs the tests in Chromium, and saves pictures of the
-# pages in the folder SCREENSHOTS, for who wants to look. site: the same for a built site (scripts/site.sh). Exit code 77 if Node, its packages or Chromium is absent.
+# pages in the folder SCREENSHOTS, for who wants to look. site: the same for a built site (scripts/site.sh). Exit code 77 if Node, its
+# packages or Chromium is absent.
 set -euo pipefail
 cd "$(dirname "$0")/../tools/viewer"
 

@@ -267,19 +267,35 @@ TEST(Overlap, CanBeCancelledWithinAPairOfBodies) {
   EXPECT_FALSE(world.has_overlap());
 }
 
+/// Small balls at random places in and around a large one.
+World grains_around_a_ball(std::uint64_t seed, const Options& options) {
+  Random random(seed);
+  World world(options);
+  world.add(made(ball(1)), Static{});
+  for (int i = 0; i < 4; ++i) {
+    const Point place = random.point(2);
+    world.add(made(ball(0.05)), still({place, {}}));
+  }
+  return world;
+}
+
 TEST(Overlap, DoesNotDependOnThreads) {
-  int inside = 0;
+  int inside = 0, outside = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Options three = one_thread();
     three.threads = 3;
     const AllowedThreads allowed(3);
-    TestWorld one = random_world(seed, 4, Motions::any), shared = random_world(seed, 4, Motions::any, three);
-    const bool found = one.world.has_overlap();
-    EXPECT_EQ(shared.world.has_overlap(), found);
-    EXPECT_TRUE(found || !one.world.has_intersection());
-    inside += found && !one.world.has_intersection() ? 1 : 0;
+    TestWorld any = random_world(seed, 4, Motions::any), any_shared = random_world(seed, 4, Motions::any, three);
+    EXPECT_EQ(any_shared.world.has_overlap(), any.world.has_overlap());
+    World one = grains_around_a_ball(seed, one_thread()), shared = grains_around_a_ball(seed, three);
+    const bool found = one.has_overlap(), crosses = one.has_intersection();
+    EXPECT_EQ(shared.has_overlap(), found);
+    EXPECT_TRUE(found || !crosses);
+    inside += found && !crosses ? 1 : 0;
+    outside += found ? 0 : 1;
   }
   EXPECT_GT(inside, 0);
+  EXPECT_GT(outside, 0);
 }
 
 }  // namespace

@@ -11,10 +11,11 @@ function(tamis_test_program name)
   target_precompile_headers(${name} REUSE_FROM tamis_test_headers)
 endfunction()
 
-# WebAssembly has no threads, no memory that is forbidden, and one floating-point state.
+# WebAssembly has no threads, no clock of processor time, no memory that is forbidden, and one floating-point state.
 set(TAMIS_NOT_HERE)
 if(EMSCRIPTEN)
-  set(TAMIS_NOT_HERE "InParts.*:CountingSort.FindsPlacesByBucketThenInOrder:BusyDetector.AnswersOneThread*:Callbacks*:\
+  set(TAMIS_NOT_HERE "InParts.*:CountingSort.FindsPlacesByBucketThenInOrder:BusyDetector.AnswersOneThread*:Roots.need_little_stack:\
+*CancellationWait*:*HardPaths*:HardPairs.*:Crowd.CancellingIsAskedForAllTheTime:ExactRecontact.TakesNoMoreBitsThanTwoTimesNeed:\
 LentThreads.*:*CallerState*:*InCallersState*:*OfThreads*:*GuardPages*")
 endif()
 

@@ -13,7 +13,7 @@ PAGES = {
     "docs/cpp.md": ["before_step_one.cpp", "near.cpp", "response.cpp", "line_search.cpp", "simulation_loop.cpp", "objects.cpp",
                     "at_start.cpp"],
     "docs/plane.md": ["plane.cpp"],
-    "docs/worlds.md": ["world.cpp", "bodies.cpp", "static_bodies.cpp", "robot.py"],
+    "docs/worlds.md": ["world.cpp", "bodies.cpp", "static_bodies.cpp", "robot.py", "edges.py"],
 }
 # A program, and behind it what it prints.
 QUOTED = re.compile(r"^```(?:cpp|c|python)\n(.*?)^```$(.*?)^```text\n(.*?)^```$", re.DOTALL | re.MULTILINE)

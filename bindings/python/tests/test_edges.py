@@ -67,14 +67,14 @@ def test_trajectories_and_roadmaps(arm: tuple[tamis.World, tamis.Linkage]) -> No
     world, linkage = arm
     free = world.first_bad_edge(linkage, [[3, 0], [2, 1], [4, 2]])
     assert free.is_free and free.contact is None and free.fraction == 1
-    bad = world.first_bad_edge(linkage, [[3, 0], [2, 0], [-2, 0], [-3, 0]])
+    bad = world.first_bad_edge(linkage, [[3.0, 0.0], [2.0, 0.0], [-2.0, 0.0], [-3.0, 0.0]])
     assert bad.edge == 1 and not bad.is_free
     assert abs(bad.fraction - 0.25) < 1e-8
     assert bad.bodies is not None and set(bad.bodies) == {0, 1}
     assert bad.point is not None and abs(bad.point[0] - 0.5) < 1e-8
-    inside = world.first_bad_edge(linkage, [[0, 0.1], [3, 0]])
+    inside = world.first_bad_edge(linkage, [[0.0, 0.1], [3.0, 0.0]])
     assert inside.edge == 0 and inside.overlaps_at_start and inside.bodies == (0, 1) and inside.point is None
-    nodes = [[3, 0], [2, 0], [-2, 0], [0, 0.1]]
+    nodes = [[3.0, 0.0], [2.0, 0.0], [-2.0, 0.0], [0.0, 0.1]]
     found = world.roadmap(linkage, nodes, [[0, 1], [1, 2], [2, 3]])
     assert found.configurations_are_free.tolist() == [True, True, True, False]
     assert found.edges_are_free.tolist() == [True, False, False]

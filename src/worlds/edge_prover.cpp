@@ -13,7 +13,7 @@ constexpr int kLastLevel = kFinest - 1;
 /// Visits of one pair on one edge, after which a detector decides it.
 constexpr int kMostVisits = 1 << 14;
 /// Levels whose middles are probed for collisions before anything is proven.
-constexpr int kProbedLevels = 4;
+constexpr int kProbedLevels = 2;
 
 /// The last link that carries both; -1: the world.
 Index common_link(const LinkageTree& tree, Index a, Index b) {
@@ -285,14 +285,16 @@ void EdgeProver::visit(const Piece& piece, const Item& item) {
   }
   now_->is_near = true;  // from here on not by whole bodies
   // Where most is lost by the motion, a shorter piece proves more than smaller boxes.
-  constexpr double kLargeLoss = 0.5, kLargeLossOfLeaves = 0.2;  // leaves have up to 256 pairs of items
-  if (loss > (are_leaves ? kLargeLossOfLeaves : kLargeLoss) * std::max(a.radius, b.radius)) {
+  constexpr double kLargeLoss = 0.25, kLargeLossOfLeaves = 0.5;
+  const bool splits_a = splits_first(piece, item);
+  const double size = are_leaves ? std::min(a.radius, b.radius) : splits_a ? a.radius : b.radius;
+  if (loss > (are_leaves ? kLargeLossOfLeaves : kLargeLoss) * size) {
     next_.push_back(item);
     if (gap.width <= 0 && !(ends_at_collision_ && piece.level < kProbedLevels)) probe(piece, item);
   } else if (are_leaves) {
     visit_leaves(piece, item);
   } else {
-    for_each_part(piece, item, a.radius >= b.radius, [&](const Item& part) { stack_.push_back(part); });
+    for_each_part(piece, item, splits_a, [&](const Item& part) { stack_.push_back(part); });
   }
 }
 
@@ -307,14 +309,18 @@ double EdgeProver::support(const BodyOnEdge& body, const RoundedTransform& place
   return farthest + dot_of(place.shift, direction);
 }
 
-/// Replaces the larger node by its children.
+/// True if of two nodes the first is to be replaced by its children: the larger one that has any.
+bool EdgeProver::splits_first(const Piece& piece, const Item& item) {
+  if (piece.b->shape().tree.is_leaf(item.b)) return true;
+  return !piece.a->shape().tree.is_leaf(item.a) && piece.a->box(item.a).radius >= piece.b->box(item.b).radius;
+}
+
 template <class F>
-void EdgeProver::for_each_part(const Piece& piece, const Item& item, bool is_a_larger, const F& f) {
-  const BoxTree &tree_a = piece.a->shape().tree, &tree_b = piece.b->shape().tree;
-  if (tree_b.is_leaf(item.b) || (!tree_a.is_leaf(item.a) && is_a_larger))
-    tree_a.for_each_child(item.a, [&](Index child) { f(Item{child, item.b}); });
+void EdgeProver::for_each_part(const Piece& piece, const Item& item, bool splits_a, const F& f) {
+  if (splits_a)
+    piece.a->shape().tree.for_each_child(item.a, [&](Index child) { f(Item{child, item.b}); });
   else
-    tree_b.for_each_child(item.b, [&](Index child) { f(Item{item.a, child}); });
+    piece.b->shape().tree.for_each_child(item.b, [&](Index child) { f(Item{item.a, child}); });
 }
 
 /// Looks for triangles of both nodes that surely pass through each other in the middle of the piece.
@@ -323,7 +329,7 @@ void EdgeProver::probe(const Piece& piece, const Item& item) {
   ++now_->visits;
   const BodyShape &shape_a = piece.a->shape(), &shape_b = piece.b->shape();
   if (shape_a.tree.is_leaf(item.a) && shape_b.tree.is_leaf(item.b)) return probe_leaves(piece, item);
-  for_each_part(piece, item, piece.a->box(item.a).radius >= piece.b->box(item.b).radius, [&](const Item& part) {
+  for_each_part(piece, item, splits_first(piece, item), [&](const Item& part) {
     if (may_meet_in_middle(piece, part)) probe(piece, part);
   });
 }

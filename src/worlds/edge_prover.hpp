@@ -95,8 +95,9 @@ class EdgeProver {
   void visit(const Piece& piece, const Item& item);
   void visit_leaves(const Piece& piece, const Item& leaves);
   void visit_items(const Piece& piece, const Item& items);
+  static bool splits_first(const Piece& piece, const Item& item);
   template <class F>
-  void for_each_part(const Piece& piece, const Item& item, bool is_a_larger, const F& f);
+  static void for_each_part(const Piece& piece, const Item& item, bool splits_a, const F& f);
   static double support(const BodyOnEdge& body, const RoundedTransform& place, Index leaf, const Point& direction);
   static bool may_meet_in_middle(const Piece& piece, const Item& item);
   void probe(const Piece& piece, const Item& item);

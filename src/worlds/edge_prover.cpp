@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kLastLevel = kFinest - 1;
 /// Visits of one pair on one edge, after which a detector decides it.
-constexpr int kMostVisits = 1 << 14;
+constexpr int kMostVisits = 1 << 15;
 /// Levels whose middles are probed for collisions before anything is proven.
 constexpr int kProbedLevels = 2;
 

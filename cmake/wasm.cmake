@@ -23,7 +23,7 @@ set(CMAKE_CROSSCOMPILING_EMULATOR ${TAMIS_NODE})
 # Header-only libraries are this machine's. Its /usr/include has its C library, too: so compilers see links to these alone.
 set(TAMIS_WASM_HEADERS ${CMAKE_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${TAMIS_WASM_HEADERS})
-foreach(library boost fmt nlohmann xsimd xtl)
+foreach(library boost fast_float fmt nlohmann xsimd xtl)
   if(EXISTS /usr/include/${library})
     file(CREATE_LINK /usr/include/${library} ${TAMIS_WASM_HEADERS}/${library} SYMBOLIC)
   endif()

@@ -69,7 +69,7 @@ void choose_method(Options& options, std::string_view name) {
   }
   std::string choices;
   for (const std::string_view choice : method_choices()) choices += (choices.empty() ? "" : ", ") + std::string(choice);
-  throw InvalidOptions("no method is called '" + std::string(name) + "': use one of " + choices);
+  throw InvalidOptions("unknown method '" + std::string(name) + "': use one of " + choices);
 }
 
 std::vector<std::string_view> filter_names() {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# check_viewer.sh style|page|tests [COMMAND [SCREENSHOTS]]. style: checks types, lint and format of the viewer's sources.
+# check_viewer.sh style|page|tests|site [COMMAND|SITE [SCREENSHOTS]]. style: checks types, lint and format of the viewer's sources.
 # page: checks that they build the committed page, byte for byte. tests: runs the tests in Chromium, and saves pictures of the
-# pages in the folder SCREENSHOTS, for who wants to look. Exit code 77 if Node, its packages or Chromium is absent.
+# pages in the folder SCREENSHOTS, for who wants to look. site: the same for a built site (scripts/site.sh). Exit code 77 if Node, its packages or Chromium is absent.
 set -euo pipefail
 cd "$(dirname "$0")/../tools/viewer"
 
@@ -25,5 +25,11 @@ case $1 in
     [[ -x $TAMIS_CHROMIUM ]] || skip "no $TAMIS_CHROMIUM"
     export TAMIS_DATA=${TAMIS_DATA:-$PWD/../../shared/data}
     TAMIS_COMMAND=$2 TAMIS_SCREENSHOTS=${3:-} node test.mjs
+    ;;
+  site)
+    export TAMIS_CHROMIUM=${TAMIS_CHROMIUM:-/usr/bin/chromium}
+    [[ -x $TAMIS_CHROMIUM ]] || skip "no $TAMIS_CHROMIUM"
+    [[ -e $2/index.html ]] || skip "no $2: scripts/site.sh builds it"
+    node ../site/test.mjs "$2" ${3:+"$3"}
     ;;
 esac

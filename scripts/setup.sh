@@ -5,6 +5,7 @@
 #   --python       those to build the module for Python
 #   --compilers    the other compilers that the release has (scripts/check_compilers.sh)
 #   --blender      Blender, in which the add-on is tested (besides the module bpy)
+#   --site         Doxygen and Python, which build the site (scripts/site.sh)
 #   --arm64        those of the tests on 64-bit ARM
 #   --windows      those of the tests on Windows
 #   --wasm         those of the tests in WebAssembly; on Debian 13, as Debian 12's emscripten is too old
@@ -34,15 +35,16 @@ case ${1:-} in
     done
     ;;
   --blender) packages+=(blender python3-numpy) ;;
+  --site) packages=(doxygen git python3 python3-venv) ;;
   --arm64) packages+=(g++-aarch64-linux-gnu qemu-user) ;;
   --windows) packages+=(g++-mingw-w64-x86-64-posix libz-mingw-w64-dev libboost-dev googletest wine64 wine) ;;
   --wasm)
     [[ $release != bookworm ]] || { echo "setup: Debian 12's emscripten is 3.1.6, and 3.1.50 is needed: use Debian 13" >&2; exit 1; }
-    packages+=(emscripten nodejs googletest libgtest-dev python3)
+    packages+=(emscripten nodejs libfast-float-dev googletest libgtest-dev python3)
     ;;
   --bench) packages+=(libbenchmark-dev libembree-dev libcgal-dev libbullet-dev libfcl-dev python3-matplotlib) ;;
   "") ;;
-  *) echo "setup: no option is called $1: use --core-tests, --all-tests, --python, --compilers, --blender, --arm64, --windows, --wasm or --bench" >&2; exit 2 ;;
+  *) echo "setup: no option is called $1: use --core-tests, --all-tests, --python, --compilers, --blender, --site, --arm64, --windows, --wasm or --bench" >&2; exit 2 ;;
 esac
 
 is_installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }

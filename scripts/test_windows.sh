@@ -110,4 +110,8 @@ ctest --preset windows --parallel "$(nproc)"
 # The tests of the command run here, as they call a shell, and call the Windows program.
 printf '#!/bin/sh\nexec wine %s "$@"\n' "$PWD/build/windows/bin/tamis.exe" >"$packages/tamis"
 chmod +x "$packages/tamis"
-TAMIS_COMMAND=$packages/tamis "$here"/tools/command/tests/cli_test --gtest_brief=1
+# Not these: the first three expect / in names that Windows writes with its own separator; others need names, descriptors or
+# limits that Windows or Wine does not have.
+no=Verbs.SequenceTakesFramesInNaturalOrder:Verbs.SequenceAndFreeAnswerByTheirExitCode:Verbs.AStepThatIsRefusedIsNamed:Names.*
+no+=:Outputs.NeverReplaceTheAnswer:Outputs.GoIntoPipes:Outputs.DoNotMixWithAnAnswerThatMustStandAlone:BadInput.TooLittleMemoryNamesTheFile
+TAMIS_COMMAND=$packages/tamis "$here"/tools/command/tests/cli_test --gtest_brief=1 --gtest_filter="-$no"

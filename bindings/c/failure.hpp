@@ -47,8 +47,7 @@ class Outcome {
   std::string message_;
 };
 
-inline constexpr const char* kOutOfMemory =
-    "out of memory: look at the counts that were given, or ask for less at once";
+inline constexpr const char* kOutOfMemory = "out of memory: check the counts that were given, or query less at once";
 
 /// Records the code and the message of the exception in flight.
 inline void record_exception(Outcome& outcome) noexcept {

@@ -11,7 +11,7 @@ static_assert(TAMIS_VERTEX_VERTEX + 1 == kPairKinds, "name each kind of pair in 
 
 inline PairKind known_kind(int32_t kind) {
   if (kind < TAMIS_VERTEX_FACE || kind > TAMIS_VERTEX_VERTEX)
-    throw InvalidArgument("no kind has the number " + std::to_string(kind) + ": give TAMIS_VERTEX_FACE, ...");
+    throw InvalidArgument("unknown kind number " + std::to_string(kind) + ": give TAMIS_VERTEX_FACE, ...");
   return static_cast<PairKind>(kind);
 }
 

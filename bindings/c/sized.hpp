@@ -58,7 +58,7 @@ T read_sized(const T* given, const char* name) {
   const std::size_t size = size_said(given, name);
   const auto* bytes = reinterpret_cast<const unsigned char*>(given);
   if (size > sizeof(T) && std::any_of(bytes + sizeof(T), bytes + size, [](unsigned char b) { return b != 0; }))
-    throw InvalidArgument(std::string(name) + " asks for something that version " + tamis_version() +
+    throw InvalidArgument(std::string(name) + " sets a field that version " + tamis_version() +
                           " does not know: set it to zero, or use a newer library");
   T known{};
   std::memcpy(&known, given, std::min(size, sizeof(T)));

@@ -40,7 +40,7 @@ void check_groups(const PairFilter& filter, std::size_t rows) {
                          std::to_string(rows) + " vertices of this rank: give one group a vertex, or none");
   if (groups.empty() && rows > 0 && (filter.group_count > 1 || !filter.groups_may_touch.empty()))
     throw InvalidOptions(
-        "group_of_vertex is empty, but group_count or groups_may_touch speak of groups: give one group a vertex");
+        "group_of_vertex is empty, but group_count or groups_may_touch are set: give one group a vertex");
   for (std::size_t row = 0; row < groups.size(); ++row)
     if (groups[row] < kNoGroup || groups[row] >= filter.group_count)
       refuse_group("the vertex in row " + std::to_string(row), groups[row], filter);

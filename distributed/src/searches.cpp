@@ -53,9 +53,8 @@ void Searches::begin(const std::string& question, const Step& step, const QueryO
   if (!(std::isfinite(separation) && separation >= 0))
     throw InvalidOptions("the minimum separation is " + exact(separation) + ": give a finite distance >= 0");
   if (options.at_start != AtStart::report && options.at_start != AtStart::ignore)
-    throw InvalidOptions(
-        "at_start is " + std::string(name_of(options.at_start)) +
-        ": ranks report what touches at the start, or ignore it; ask for contacts of the start at rest");
+    throw InvalidOptions("at_start is " + std::string(name_of(options.at_start)) +
+                         ": ranks know report and ignore; query the contacts of the start at rest instead");
   {
     const Stopwatch watch(statistics_.seconds.positions);
     take_positions(communicator_, step, input_);

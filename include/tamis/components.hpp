@@ -12,7 +12,7 @@ struct Components {
   /// For each vertex of the mesh the number of its component, in [0, count). Components are in the order of their first
   /// vertices. -1 for a vertex that takes no part in contacts (it is not in Mesh::points).
   std::vector<Index> of_vertex;
-  Index count = 0;
+  Index count = 0;  ///< number of components
 };
 
 /// Finds the connected components. Faces and edges connect their vertices. A loose point is a component of its own.

@@ -28,20 +28,18 @@ enum class Certainty : std::uint8_t {
 
 /// One pair of features that touches during the step.
 struct Contact {
-  PairKind kind;
-  Certainty certainty;
+  PairKind kind;        ///< which features
+  Certainty certainty;  ///< whether the contact is proven
   /// vf: the vertex, then the face's vertices in the mesh's order. ee: the vertices of each edge ascending, the smaller
   /// edge first. ve: the vertex, then the edge's vertices, ascending. vv: ascending. Entries that a kind does not use
   /// are -1.
   std::array<Index, 4> vertices;
-  /// Fractions of the step, in [0,1]. The pair is apart on [0, toi_lower). A certified contact touches at some time of
-  /// [toi_lower, toi_upper].
-  double toi_lower;
-  double toi_upper;
-  /// Contact weights. vf: point = (1-u-v) f0 + u f1 + v f2. ee: u on the first edge, v on the second, each in [0,1].
-  /// ve: u on the edge, v = 0. vv: both 0.
+  double toi_lower;  ///< a fraction of the step, in [0,1]: the pair is apart on [0, toi_lower)
+  double toi_upper;  ///< a fraction of the step: a certified contact touches at some time of [toi_lower, toi_upper]
+  /// Weight. vf: point = (1-u-v) f0 + u f1 + v f2. ee: place on the first edge, in [0,1]. ve: place on the
+  /// edge. vv: 0.
   double u;
-  double v;
+  double v;  ///< second weight. ee: place on the second edge, in [0,1]. ve and vv: 0
   /// Unit vector. To part the features, move the first one (the vertex; the first edge) along it, or the second one
   /// against it.
   /// - With a minimum separation or radii, and for ve and vv: from the second feature's closest point to the first's at

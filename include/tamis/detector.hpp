@@ -38,6 +38,7 @@ class Detector {
   /// A detector that was moved from may be destroyed or assigned to. Every other call throws Error. No thread may move,
   /// assign to or destroy a detector while it answers another thread.
   Detector(Detector&&) noexcept;
+  /// The same holds for the detector that was assigned from.
   Detector& operator=(Detector&&) noexcept;
 
   /// Finds all contacts of the step.

@@ -7,7 +7,7 @@
 
 namespace tamis {
 
-using Index = std::int32_t;
+using Index = std::int32_t;         ///< the number of a vertex, an edge, a face or a body
 using Face = std::array<Index, 3>;  ///< vertex indices, in the caller's winding
 using Edge = std::array<Index, 2>;  ///< vertex indices, ascending
 

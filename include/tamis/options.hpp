@@ -23,12 +23,15 @@ enum class AtStart : std::uint8_t {
   fail,  ///< throws InvalidStep, which names the first such pair
 };
 
-/// Return the value with this name, as on the command line.
-/// Throw InvalidOptions, which lists the choices, if there is no such name.
+/// Finds the instruction set with this name, as on the command line.
+/// Returns it.
+/// Throws InvalidOptions, which lists the choices, if there is no such name.
 [[nodiscard]] Isa isa_from_name(std::string_view name);
+/// Finds the mode with this name, as on the command line; otherwise the same.
 [[nodiscard]] AtStart at_start_from_name(std::string_view name);
-/// Return the name of a value.
+/// Returns the name of an instruction set.
 [[nodiscard]] std::string_view name_of(Isa);
+/// Returns the name of a mode.
 [[nodiscard]] std::string_view name_of(AtStart);
 /// Returns true if questions have threads of their own: oneTBB's. Returns false if the library was built without
 /// oneTBB. Then a question without a parallel_for runs on the thread that asks, whatever Options::threads says.
@@ -43,7 +46,7 @@ struct PairFilter {
   /// Mesh::points). Empty: all vertices are in group 0, group_count is 1 and groups_may_touch is empty, too.
   /// components_of numbers connected objects in this way.
   std::vector<Index> group_of_vertex;
-  Index group_count = 1;
+  Index group_count = 1;  ///< number of groups
   /// group_count x group_count, symmetric, row-major; 0 skips the pairs of these two groups. Empty: none are skipped.
   std::vector<std::uint8_t> groups_may_touch = std::vector<std::uint8_t>();
   /// Called, after the groups, for each pair that may still be in the answer. False leaves the pair out. Must be safe
@@ -82,8 +85,8 @@ struct Options {
   /// feature whose vertices have different groups has the largest radius of its vertices. Empty: all zero. A question
   /// throws InvalidOptions if its separation plus twice a radius is more than any double.
   std::vector<double> radii = {};
-  Isa isa = Isa::best;
-  PairFilter filter = PairFilter();
+  Isa isa = Isa::best;               ///< changes speed only
+  PairFilter filter = PairFilter();  ///< which pairs may touch
   /// Called again and again during a question, a thousand times a second or more. Must be safe to call from several
   /// threads. Once it returns true, the question throws Cancelled. The detector answers the next question as usual.
   std::function<bool()> is_cancelled = nullptr;
@@ -97,7 +100,7 @@ struct QueryOptions {
   /// Replaces Options::min_separation for this question alone (an activation distance, for example). One hierarchy
   /// serves all separations.
   std::optional<double> min_separation = {};
-  AtStart at_start = AtStart::report;
+  AtStart at_start = AtStart::report;  ///< how pairs count that touch at t=0
 };
 
 /// Options of one question about a path, or about a world, whose bodies may turn.

@@ -16,11 +16,11 @@ namespace tamis {
 struct PairResult {
   bool touches = false;                        ///< false: proven free
   Certainty certainty = Certainty::certified;  ///< unresolved on a path alone
-  double toi_lower = 1;
-  double toi_upper = 1;
-  double u = 0;
-  double v = 0;
-  Point normal{0, 0, 0};
+  double toi_lower = 1;                        ///< as in Contact
+  double toi_upper = 1;                        ///< as in Contact
+  double u = 0;                                ///< as in Contact
+  double v = 0;                                ///< as in Contact
+  Point normal{0, 0, 0};                       ///< as in Contact
 };
 
 /// Options of questions about pairs: one pair or a list, on a step or on a path.
@@ -55,7 +55,7 @@ struct PairOptions {
 
 /// One pair of a list, such as a broad phase returns.
 struct FeaturePair {
-  PairKind kind;
+  PairKind kind;  ///< which features
   /// Rows of the step's positions, in the order of the functions above: p a b c, a0 a1 b0 b1, p a b, or p q. Entries
   /// that a kind does not use are not read.
   std::array<Index, 4> vertices;

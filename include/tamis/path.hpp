@@ -13,9 +13,9 @@ namespace tamis {
 
 /// A position more precise than a double: high + low, off by at most `error` on each axis.
 struct FinePoint {
-  Point high{0, 0, 0};
-  Point low{0, 0, 0};
-  double error = 0;
+  Point high{0, 0, 0};  ///< leading doubles
+  Point low{0, 0, 0};   ///< what is to be added to them
+  double error = 0;     ///< bound on each axis
 };
 
 struct CarriedPath;

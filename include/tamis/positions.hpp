@@ -13,7 +13,7 @@
 
 namespace tamis {
 
-using Point = std::array<double, 3>;
+using Point = std::array<double, 3>;  ///< three coordinates
 
 /// An Eigen-like dense matrix of doubles. Eigen itself is not needed.
 template <class M>

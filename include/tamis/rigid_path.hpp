@@ -10,23 +10,26 @@ namespace tamis {
 
 /// x goes to R x + position, R being the rotation by |rotation| radians about the direction of `rotation`.
 struct Pose {
-  Point position{0, 0, 0};
-  Point rotation{0, 0, 0};
+  Point position{0, 0, 0};  ///< where the body's origin is
+  Point rotation{0, 0, 0};  ///< rotation vector
 };
 
-/// Convert a rotation matrix (given by its rows) or a quaternion (w x y z), as engines keep them, also in floats. Both
-/// are rotations with rounding errors: the nearest rotation is taken. The rotation vector is rounded to doubles. So
-/// points are off by less than 1e-15 of their distance from the origin of the body.
-/// Return the pose.
-/// Throw InvalidPath if they are off by more than rounding: an entry of R R^T - I, or |q|^2 - 1, beyond 1e-4; a
-/// reflection; numbers that are not finite.
+/// Converts a rotation matrix, given by its rows, as engines keep it, also in floats. It is a rotation with rounding
+/// errors: the nearest rotation is taken. The rotation vector is rounded to doubles. So points are off by less than
+/// 1e-15 of their distance from the origin of the body.
+/// Returns the pose.
+/// Throws InvalidPath if it is off by more than rounding: an entry of R R^T - I beyond 1e-4; a reflection; numbers that
+/// are not finite.
 [[nodiscard]] Pose pose_of_matrix(const std::array<Point, 3>& rows, const Point& position);
+/// Converts a quaternion w x y z in the same way.
+/// Returns the pose.
+/// Throws InvalidPath if |q|^2 - 1 is beyond 1e-4, and on numbers that are not finite.
 [[nodiscard]] Pose pose_of_quaternion(const std::array<double, 4>& quaternion, const Point& position);
 
 /// A pose whose position and rotation vector go linearly from `start` (t=0) to `end` (t=1). Any angle.
 struct RigidLink {
-  Pose start = {};
-  Pose end = {};
+  Pose start = {};  ///< pose at t=0
+  Pose end = {};    ///< pose at t=1
 };
 
 /// Outermost link first: a point of the body goes through the last link first. Empty: the body stays where its points
@@ -73,6 +76,7 @@ class RigidPath final : public Path {
             std::vector<Point> rest_end = {});
   /// Copies share one motion. Moving copies: the source keeps it.
   RigidPath(const RigidPath&) = default;
+  /// Shares the copied path's motion.
   RigidPath& operator=(const RigidPath&) = default;
 
   /// Returns the number of vertices.

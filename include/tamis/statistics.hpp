@@ -10,23 +10,24 @@ namespace tamis {
 
 /// How many pairs of each kind enter one stage of the pipeline.
 struct StageCount {
-  std::string_view name;
-  std::uint64_t vf = 0;
-  std::uint64_t ee = 0;
-  std::uint64_t ve = 0;
-  std::uint64_t vv = 0;
+  std::string_view name;  ///< the stage, such as "boxes"
+  std::uint64_t vf = 0;   ///< vertex-face pairs
+  std::uint64_t ee = 0;   ///< edge-edge pairs
+  std::uint64_t ve = 0;   ///< vertex-edge pairs
+  std::uint64_t vv = 0;   ///< vertex-vertex pairs
 };
 
 /// Wall-clock seconds of each part. `traverse`, `filter` and `solve` share one pass over the tree. Its time is divided
-/// in proportion to their sums over the threads. `build` includes listing pairs ahead.
+/// in proportion to their sums over the threads.
 struct Seconds {
-  double bounds = 0;
-  double build = 0;
-  double traverse = 0;
-  double filter = 0;
-  double solve = 0;
-  double total = 0;
+  double bounds = 0;    ///< computing boxes
+  double build = 0;     ///< building or refitting trees, and listing pairs ahead
+  double traverse = 0;  ///< searching the trees for pairs whose boxes meet
+  double filter = 0;    ///< filtering pairs
+  double solve = 0;     ///< deciding the remaining pairs
+  double total = 0;     ///< the whole question
 
+  /// Adds each part.
   Seconds& operator+=(const Seconds& other) {
     bounds += other.bounds;
     build += other.build;
@@ -45,6 +46,7 @@ struct PrecisionCount {
   std::uint64_t exact = 0;       ///< exact algebra
   std::uint64_t unresolved = 0;  ///< by none: unresolved contacts, on curved motion only
 
+  /// Adds each count.
   PrecisionCount& operator+=(const PrecisionCount& other) {
     lanes += other.lanes;
     scalar += other.scalar;
@@ -54,15 +56,16 @@ struct PrecisionCount {
   }
 };
 
+/// The cost of one question.
 struct Statistics {
   Isa isa = Isa::baseline;  ///< the one that ran, never `best`
-  int threads = 1;
+  int threads = 1;          ///< how many threads worked on it
   /// In pipeline order. The first stage counts the pairs of features whose boxes meet. It counts some more pairs, which
   /// depend on earlier questions. If pairs were listed ahead, it counts the pairs of that list that the question
   /// decides.
   std::vector<StageCount> stages;
-  PrecisionCount decided_by;
-  Seconds seconds;
+  PrecisionCount decided_by;  ///< how many pairs each arithmetic decided
+  Seconds seconds;            ///< wall-clock time
   /// With AtStart::ignore, the number of pairs that touch at t=0 and do not touch again once they are apart. `contacts`
   /// counts all such pairs; `earliest` and `is_free` count those that they look at. On steps and on paths.
   std::uint64_t ignored = 0;

@@ -6,8 +6,8 @@ namespace tamis {
 
 /// Each vertex moves on a straight line from `start` (t=0) to `end` (t=1).
 struct Step {
-  Positions start;
-  Positions end;
+  Positions start;  ///< positions at t=0
+  Positions end;    ///< positions at t=1
 };
 
 }  // namespace tamis

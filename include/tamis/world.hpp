@@ -26,7 +26,9 @@ class Shape {
   /// Throws InvalidMesh unless there is one point a vertex and the points of Mesh::points() are finite. Throws
   /// InvalidOptions if this machine lacks the instruction set.
   Shape(Mesh mesh, std::vector<Point> points, Isa isa = Isa::best);
+  /// Shares the copied shape's mesh, points and hierarchy.
   Shape(const Shape&) = default;
+  /// Shares the copied shape's mesh, points and hierarchy.
   Shape& operator=(const Shape&) = default;
 
   /// Returns the mesh.
@@ -43,7 +45,7 @@ class Shape {
 
 /// The body stays at its pose. Questions skip two static bodies, unless PoseOptions::include_static is set.
 struct Static {
-  Pose pose = {};
+  Pose pose = {};  ///< where the body stays
 };
 
 /// The body moves as a whole, by a chain of links (tamis/rigid_path.hpp: `interpolated_chain`, `turned_chain`,
@@ -53,14 +55,16 @@ struct Static {
 /// begin with equal links move relative to each other by the links behind these alone. To a body that a gripper holds,
 /// give the gripper's links, then a constant one.
 struct Rigid {
-  RigidChain chain;
+  RigidChain chain;  ///< outermost link first
 };
 
 /// Each vertex goes straight from `start` (t=0) to `end` (t=1), in the frame of the world. The body may touch itself.
 struct Deforming {
-  std::vector<Point> start, end;
+  std::vector<Point> start;  ///< positions at t=0, one a vertex of the shape
+  std::vector<Point> end;    ///< positions at t=1
 };
 
+/// How a body moves during the step.
 using BodyMotion = std::variant<Static, Rigid, Deforming>;
 
 /// The number of a body in its world: 0, 1, 2, ... in the order of World::add. Never given twice.
@@ -70,29 +74,32 @@ using BodyId = Index;
 /// feature of `bodies[0]`, then of the feature of `bodies[1]`. The features are in the order of Contact. Of two edges
 /// the edge of the body with the smaller number is first.
 struct BodyContact : Contact {
-  std::array<BodyId, 2> bodies;
+  std::array<BodyId, 2> bodies;  ///< the first feature's body, then the second's
 };
+/// A near pair of two bodies. Vertices as in BodyContact.
 struct BodyNearPair : NearPair {
-  std::array<BodyId, 2> bodies;
+  std::array<BodyId, 2> bodies;  ///< the first feature's body, then the second's
 };
-/// `bodies`: first the edge's, then the face's.
+/// An intersection of two bodies. Vertices are numbered in the bodies' own meshes.
 struct BodyIntersection : Intersection {
-  std::array<BodyId, 2> bodies;
+  std::array<BodyId, 2> bodies;  ///< the edge's body, then the face's
 };
+/// The first contact of all bodies.
 struct EarliestBodyContact {
-  double toi_lower = 1;  ///< as in EarliestContact
-  double toi_upper = 1;
-  std::optional<BodyContact> contact;
+  double toi_lower = 1;                ///< as in EarliestContact
+  double toi_upper = 1;                ///< as in EarliestContact
+  std::optional<BodyContact> contact;  ///< the contact that ends the step; none if the step is free
 };
 /// Positions of the vertices of a body at one time.
 struct BodyPoints {
   std::vector<Point> points;  ///< one a vertex of its shape
   double error = 0;           ///< no coordinate of a vertex in Mesh::points() is off by more than this
 };
+/// How far all bodies may go.
 struct BodyStep {
-  double toi_lower = 1;  ///< as in SafeStep
-  double toi_upper = 1;
-  std::optional<BodyNearPair> pair;
+  double toi_lower = 1;              ///< as in SafeStep
+  double toi_upper = 1;              ///< as in SafeStep
+  std::optional<BodyNearPair> pair;  ///< the pair that ends the step; none if the whole step may go
 };
 
 /// Bodies, and the questions of a Detector about them. During t in [0,1] each body moves as it was told last. Pairs of
@@ -110,7 +117,9 @@ class World {
   /// Throws InvalidOptions, also for an instruction set that this machine lacks.
   explicit World(Options options = {});
   ~World();
+  /// A world that was moved from may be destroyed or assigned to. Every other call throws Error.
   World(World&&) noexcept;
+  /// The same holds for the world that was assigned from.
   World& operator=(World&&) noexcept;
 
   /// Adds a body.

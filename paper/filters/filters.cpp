@@ -35,7 +35,7 @@ const FilterStage& filter_stage_by_name(std::string_view name) {
     if (stage.name == name) return stage;
     choices += (choices.empty() ? "" : ", ") + std::string(stage.name);
   }
-  throw InvalidOptions("no filter is called '" + std::string(name) + "': use some of " + choices);
+  throw InvalidOptions("unknown filter '" + std::string(name) + "': use some of " + choices);
 }
 
 }  // namespace tamis::lab

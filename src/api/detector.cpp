@@ -13,7 +13,7 @@ Detector::Detector(Detector&&) noexcept = default;
 Detector& Detector::operator=(Detector&&) noexcept = default;
 
 Detector::State& Detector::state() const {
-  if (!state_) throw Error("the detector has been moved from: ask the one that it went to");
+  if (!state_) throw Error("the detector has been moved from: use the detector that it was moved to");
   return *state_;
 }
 

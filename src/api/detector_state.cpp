@@ -147,7 +147,7 @@ SafeStep Detector::State::step_length(const Query& query, double keep, AtStart a
 
 TruncatedStep Detector::State::truncate(const Step& step, double keep, const QueryOptions& asked, StoredType stored) {
   validate_kept_of_truncate(keep);
-  validate_is_named(stored, "kind of numbers that are stored");
+  validate_is_named(stored, "stored type");
   Query whole = validated_query(step, asked);
   if (stored == StoredType::float64) return truncate(whole, keep, asked.at_start, stored);
   validate_stored(step, mesh, stored);

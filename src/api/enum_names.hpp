@@ -21,7 +21,7 @@ Enum find_by_name(const EnumNames<Enum, n>& names, std::string_view what, std::s
     if (text == name) return value;
     choices += (choices.empty() ? "" : ", ") + std::string(text);
   }
-  throw InvalidOptions("no " + std::string(what) + " is called '" + std::string(name) + "': use one of " + choices);
+  throw InvalidOptions("unknown " + std::string(what) + " '" + std::string(name) + "': use one of " + choices);
 }
 
 /// kUnnamed if `value` is none of the enumeration's.
@@ -36,7 +36,7 @@ std::string_view find_name(const EnumNames<Enum, n>& names, Enum value) {
 template <class Enum>
 void validate_is_named(Enum value, std::string_view what) {
   if (name_of(value) == kUnnamed)
-    throw InvalidOptions("no " + std::string(what) + " has the number " + std::to_string(static_cast<int>(value)) +
+    throw InvalidOptions("unknown " + std::string(what) + " number " + std::to_string(static_cast<int>(value)) +
                          ": use one of the enumeration's names");
 }
 

@@ -35,9 +35,7 @@ PairFilter matrix_filter(std::vector<Index> group_of_vertex, Index group_count, 
 }  // namespace
 
 Isa isa_from_name(std::string_view name) { return find_by_name(kIsas, "instruction set", name); }
-AtStart at_start_from_name(std::string_view name) {
-  return find_by_name(kAtStart, "way with pairs that touch at the start", name);
-}
+AtStart at_start_from_name(std::string_view name) { return find_by_name(kAtStart, "at_start mode", name); }
 std::string_view name_of(PairKind value) { return find_name(kKinds, value); }
 std::string_view name_of(AtStart value) { return find_name(kAtStart, value); }
 std::string_view name_of(StoredType value) { return find_name(kStored, value); }

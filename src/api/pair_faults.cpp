@@ -21,7 +21,7 @@ std::string features_text(PairKind kind, const std::array<Index, 4>& vertices) {
 }
 
 std::string no_such_kind(PairKind kind) {
-  return "no kind has the number " + std::to_string(static_cast<int>(kind)) + ": use one of the enumeration's names";
+  return "unknown kind number " + std::to_string(static_cast<int>(kind)) + ": use one of the enumeration's names";
 }
 
 std::string not_finite(std::size_t point, const char* when) {

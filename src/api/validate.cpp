@@ -32,7 +32,7 @@ void validate(const PairFilter& filter, const Mesh& mesh) {
   const auto n = at(filter.group_count);
   if (filter.rings < 1)
     throw InvalidOptions("rings is " + std::to_string(filter.rings) +
-                         ": give at least 1, which leaves out pairs with a common vertex");
+                         ": give at least 1, which skips pairs with a common vertex");
   if (filter.group_count <= 0)
     throw InvalidOptions("group_count is " + std::to_string(filter.group_count) + ": give at least one group");
   const std::uint64_t entries = std::uint64_t{n} * n;  // may exceed std::size_t of 32 bits
@@ -47,7 +47,7 @@ void validate(const PairFilter& filter, const Mesh& mesh) {
   if (filter.group_of_vertex.empty()) {
     if (n == 1 && filter.groups_may_touch.empty()) return;
     throw InvalidOptions(
-        "group_of_vertex is empty, but group_count or groups_may_touch speak of groups: give one group a vertex");
+        "group_of_vertex is empty, but group_count or groups_may_touch are set: give one group a vertex");
   }
   if (filter.group_of_vertex.size() != at(mesh.vertex_count()))
     throw InvalidOptions("group_of_vertex has " + std::to_string(filter.group_of_vertex.size()) + " entries for " +
@@ -163,7 +163,7 @@ void validate_kept_of_truncate(double keep) { check_kept(keep, keep > 0, "> 0");
 
 void validate(const QueryOptions& options) {
   if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");
-  validate_is_named(options.at_start, "way with pairs that touch at the start");
+  validate_is_named(options.at_start, "at_start mode");
 }
 
 void validate(const PathOptions& options) {

@@ -36,8 +36,8 @@ std::uint64_t Integer::bits_from(int first) const {
 }
 
 double Integer::fraction(int& exponent) const {
-  constexpr int kDigits = std::numeric_limits<double>::digits;
-  const int dropped = std::max(bits() - kDigits, 0);
+  constexpr int kMantissaBits = std::numeric_limits<double>::digits;
+  const int dropped = std::max(bits() - kMantissaBits, 0);
   const auto leading = static_cast<double>(bits_from(dropped));
   const double fraction = std::frexp(leading, &exponent);
   exponent += dropped;

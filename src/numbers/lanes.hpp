@@ -17,7 +17,15 @@
 
 namespace tamis::TAMIS_ISA {
 
+#if XSIMD_WITH_WASM && XSIMD_WITH_SSE2
+// WebAssembly's own minimum of a NaN and a number is another than x86's, which the clips in time need. -msse2 asks
+// emscripten for x86's (cmake/wasm.cmake).
+using Arch = xsimd::sse2;
+#elif XSIMD_WITH_WASM
+#error "the kernels are compiled for WebAssembly without -msse2, and would miss contacts: add it"
+#else
 using Arch = xsimd::default_arch;
+#endif
 using DoubleLanes = xsimd::batch<double, Arch>;
 using FloatLanes = xsimd::batch<float, Arch>;
 using IntLanes = xsimd::batch<std::int32_t, Arch>;

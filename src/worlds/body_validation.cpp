@@ -46,7 +46,7 @@ void refuse_far_turns(const RigidChain& chain, const std::string& name) {
   }
   if (turn > kMostTurn)
     throw InvalidStep(name + " turns by " + number_text(turn) + " radians in one step, beyond " +
-                      number_text(kMostTurn) + ": ask about parts of the step");
+                      number_text(kMostTurn) + ": query parts of the step");
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ void Body::validate_far(const RigidChain& chain) const {
                           " of its motion is beyond what doubles hold: give shorter positions");
   }
   if (bounds.turns() && !std::isfinite(bounds.of(shape_->radius, 0).orbit_radius))
-    throw InvalidStep(name + " turns about what is farther away than doubles hold: give shorter positions");
+    throw InvalidStep(name + " turns about a point that is farther away than doubles hold: give shorter positions");
 }
 
 }  // namespace tamis

@@ -37,7 +37,7 @@ void World::State::validate(std::span<const BodyId> moved, std::span<const BodyM
   for (const BodyId id : moved) body(id);
   if (moved.empty() ? !motions.empty() : motions.size() % moved.size() != 0)
     throw InvalidOptions(std::to_string(motions.size()) + " motions for " + std::to_string(moved.size()) +
-                         " bodies: give one for each body, then again, as often as you ask");
+                         " bodies: give one motion for each body, for each query");
   for (std::size_t i = 0; i < motions.size(); ++i)
     of_motion(i / moved.size(), [&] { body(moved[i % moved.size()]).validate(motions[i]); });
 }

@@ -24,7 +24,7 @@ World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
 World::State& World::state() const {
-  if (!state_) throw Error("the world has been moved from: ask the one that it went to");
+  if (!state_) throw Error("the world has been moved from: use the world that it was moved to");
   return *state_;
 }
 

@@ -17,7 +17,7 @@ Options valid(Options options) {
   const PairFilter& filter = options.filter;
   if (!filter.group_of_vertex.empty() || !filter.groups_may_touch.empty() || filter.group_count != 1 || filter.accepts)
     throw InvalidOptions(
-        "the options of a world have groups or a function that accepts pairs, which speak of one "
+        "the options of a world have groups or a function that accepts pairs, which are about one "
         "mesh: say which bodies may touch by set_may_touch");
   if (!options.radii.empty())
     throw InvalidOptions(

@@ -101,7 +101,7 @@ TEST(BadWorld, RefusesMotionsBeyondDoublesByTheBody) {
       [&] {
         world.move(body, Rigid{{{{}, turn}, {arm, arm}, {back, back}}});
       },
-      "body 1 turns about what is farther away than doubles hold: give shorter positions");
+      "body 1 turns about a point that is farther away than doubles hold: give shorter positions");
   const std::vector<BodyMotion> motions{Static{far}};
   expect_refused<InvalidStep>([&] { (void)world.earliest_many(std::array{body}, motions); },
                               "motion 0: " + beyond("0", "start"));
@@ -120,7 +120,7 @@ TEST(BadWorld, RefusesTurnsThatNobodyWaitsForOrMeans) {
   const BodyId body = world.add(triangle(), Static{});
   const auto turn = [](double x, double y, double z) { return Pose{{}, {x, y, z}}; };
   const auto turns = [](const std::string& radians) {
-    return "body 0 turns by " + radians + " radians in one step, beyond 4096: ask about parts of the step";
+    return "body 0 turns by " + radians + " radians in one step, beyond 4096: query parts of the step";
   };
   expect_refused<InvalidStep>([&] { world.move(body, Rigid{interpolated_chain({}, turn(0, 0, 4097))}); },
                               turns("4097"));
@@ -146,7 +146,7 @@ TEST(BadWorld, RefusesTurnsThatNobodyWaitsForOrMeans) {
 TEST(BadWorld, RefusesInstructionSetsThatAreNone) {
   Options options;
   options.isa = static_cast<Isa>(9);
-  const std::string sentence = "no instruction set has the number 9: use one of the enumeration's names";
+  const std::string sentence = "unknown instruction set number 9: use one of the enumeration's names";
   expect_refused<InvalidOptions>([&] { World world(options); }, sentence);
   const Mesh mesh(3, {{0, 1, 2}});
   const std::vector<Point> points = triangle().points();
@@ -158,7 +158,7 @@ TEST(BadWorld, RefusesOptionsOfOneMesh) {
   Options groups;
   groups.filter = PairFilter::no_self_contact({0, 0, 0});
   expect_refused<InvalidOptions>([&] { World world(groups); },
-                                 "the options of a world have groups or a function that accepts pairs, which speak of "
+                                 "the options of a world have groups or a function that accepts pairs, which are about "
                                  "one mesh: say which bodies may touch by set_may_touch");
   Options negative;
   negative.threads = -1;

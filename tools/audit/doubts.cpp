@@ -40,7 +40,7 @@ std::string doubt_about_coincidence(const Mesh& mesh, const Positions& positions
   if (count == 0) return {};
   return std::to_string(count) + " of " + std::to_string(mesh.points().size()) + " vertices " +
          (count == 1 ? "lies" : "lie") +
-         " exactly on another one, so what they belong to touches there: if they are one vertex, join them "
+         " exactly on another one, so their features touch there: if they are one vertex, join them "
          "(--weld, or tamis.weld in Python)";
 }
 

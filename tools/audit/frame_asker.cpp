@@ -63,7 +63,7 @@ FrameFindings FrameAsker::ask(const FramePointer& before, const FramePointer& fr
   if (!findings.answer.problem.empty()) return findings;
   const Collapsed here = collapsed_in_frame(frame);
   findings.answer.has_collapsed = here.any();
-  if (here.any()) add_sentence(findings.answer.note, here.sentence + ": of that nothing else is asked here");
+  if (here.any()) add_sentence(findings.answer.note, here.sentence + ": nothing else of it is tested in this frame");
   if (before && before->mesh && before->mesh != frame->mesh)
     add_sentence(findings.answer.note, "the topology changes here: no step leads to this frame");
   else if (options_.contacts && frame->follows && is_usable(before))
@@ -75,7 +75,7 @@ FrameFindings FrameAsker::ask(const FramePointer& before, const FramePointer& fr
   std::vector<bool> left_out = here.components;
   if (findings.before) {
     const Collapsed then = collapsed_in_frame(before);
-    if (then.any()) add_sentence(findings.answer.note, "the step leaves out what has collapsed at its start");
+    if (then.any()) add_sentence(findings.answer.note, "the step skips objects that have collapsed at its start");
     left_out = in_either(left_out, then.components);
   }
   if (!left_out.empty()) findings.answer.toi_lower = 0;  // nothing is proven of what is left out

@@ -21,10 +21,10 @@ void require_sound(const Options& options) {
   if (options.threads < 0)
     throw InvalidOptions("threads is " + std::to_string(options.threads) + ": give a number >= 0, 0 being all");
   if (!options.intersections && !options.contacts)
-    throw InvalidOptions("neither intersections nor contacts are to be asked for: leave one of them on");
+    throw InvalidOptions("intersections and contacts are both switched off: leave one of them on");
   if (!options.contacts && options.min_separation > 0)
     throw InvalidOptions(
-        "the minimum separation is of contacts, and only intersections are to be asked for: leave one of the two out");
+        "a minimum separation is for contacts, and these are switched off: remove one of the two options");
 }
 
 bool Report::is_free() const {

@@ -15,9 +15,9 @@ void print_bracket(double toi_lower, double toi_upper) {
 /// Of a part of the mesh: contacts of what was left out may come first.
 void print_of_rest(bool is_free, double toi_upper) {
   if (is_free)
-    fmt::print("first contact   none of what is left\n");
+    fmt::print("first contact   none among the other objects\n");
   else
-    fmt::print("first contact   of what is left at {:.12g} of the step\n", toi_upper);
+    fmt::print("first contact   of the other objects at {:.12g} of the step\n", toi_upper);
 }
 
 /// Prints two features. `bodies`: the names of their bodies; empty if all are of one mesh.

@@ -14,8 +14,7 @@ void CollapseCheck::look(const std::string& name, const Positions& positions) {
   left_out_.resize(collapsed.components.size());
   for (std::size_t i = 0; i < left_out_.size(); ++i) left_out_[i] = left_out_[i] || collapsed.components[i];
   facts_.push_back(fmt::format("{}: {}", name, collapsed.sentence));
-  if (name != last_noted_)
-    note(facts_.back() + ", so that its parts touch each other; mend this frame, or leave it out");
+  if (name != last_noted_) note(facts_.back() + ", so its parts touch each other; mend this frame, or remove it");
   last_noted_ = name;
 }
 
@@ -27,7 +26,9 @@ void CollapseCheck::clear() {
 std::string CollapseCheck::text() const { return fmt::format("{}", fmt::join(facts_, "; ")); }
 
 void CollapseCheck::print() const {
-  fmt::print("collapsed       what the note names is left out: no pair of it is listed, and nothing is proven of it\n");
+  fmt::print(
+      "collapsed       objects in the note are skipped: their pairs are not listed, and nothing is proven about "
+      "them\n");
 }
 
 int CollapseCheck::refuse(bool as_json) const {

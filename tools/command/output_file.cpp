@@ -20,10 +20,10 @@ void require_not_taken(const std::filesystem::path& output) {
 
 void require_not_mixed(const std::filesystem::path& output) {
   if (system::shared_by(system::Stream::out, output) == system::Shared::pipe)
-    throw InvalidOptions(fmt::format(
-        "--out {} is the pipe that the answer goes to, and this answer (JSON, or rows that come one by one) must not "
-        "mix with anything: give another name, or in bash a pipe of its own, as in --out >(head)",
-        output.string()));
+    throw InvalidOptions(
+        fmt::format("--out {} is the pipe of the answer, which must not mix with anything (JSON, or rows one by one): "
+                    "give another name, or in bash a pipe of its own, as in --out >(head)",
+                    output.string()));
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ void print_mesh(const Mesh& mesh) {
 void print_asked(const Detector& detector) {
   print_mesh(detector.mesh());
   if (const Index rings = detector.options().filter.rings; rings > 1)
-    fmt::print("left out        pairs fewer than {} edges apart along the mesh: nothing is said of them\n", rings);
+    fmt::print("skipped         pairs fewer than {} edges apart along the mesh: nothing is proven about them\n", rings);
 }
 
 namespace {

@@ -13,16 +13,15 @@
 namespace tamis::cli {
 
 void StartCheck::declare(OptionList& options) {
-  options.add_flag(
-      "--check-start", is_asked_,
-      "first ask whether the START passes through itself, as 'tamis intersections' does; if so, stop there "
-      "with exit code 1");
+  options.add_flag("--check-start", is_asked_,
+                   "first test whether START passes through itself, as 'tamis intersections' does; if so, stop there "
+                   "with exit code 1");
 }
 
 void StartCheck::declare_for_bodies(OptionList& options) {
   options.add_flag("--check-start", is_asked_,
-                   "first ask whether bodies pass through each other where they start, or a deforming one through "
-                   "itself; if so, stop there with exit code 1. Two static bodies are not asked about");
+                   "first test whether bodies pass through each other where they start, or a deforming one through "
+                   "itself; if so, stop there with exit code 1. Two static bodies are not tested");
 }
 
 bool StartCheck::passes(Detector& detector, const Positions& start) {
@@ -49,11 +48,11 @@ int StartCheck::refuse(const Detector& detector, bool as_json, Json json) const 
     print_json(json);
   } else {
     print_asked(detector);
-    if (has_collapsed_) fmt::print("START           has objects that have collapsed; nothing else was asked\n");
+    if (has_collapsed_) fmt::print("START           has objects that have collapsed; nothing else was tested\n");
     if (intersections_ == 0) return kNo;
     fmt::print(
         "START           passes through itself: {} intersection{} ('tamis intersections START' lists them); "
-        "nothing else was asked\n",
+        "nothing else was tested\n",
         grouped(intersections_), intersections_ == 1 ? "" : "s");
   }
   return kNo;
@@ -65,7 +64,7 @@ void StartCheck::print_refused(const std::vector<std::string>& names) const {
   const Face& face = first_.face;
   fmt::print(
       "START           bodies pass through each other, or through themselves: {} intersection{}, the first of edge {} "
-      "{} of {} and face {} {} {} of {}; nothing else was asked\n",
+      "{} of {} and face {} {} {} of {}; nothing else was tested\n",
       grouped(intersections_), intersections_ == 1 ? "" : "s", edge[0], edge[1], name(0), face[0], face[1], face[2],
       name(1));
 }
@@ -84,9 +83,10 @@ void StartCheck::print() const {
 
 void StartCheck::print_for_bodies() const {
   fmt::print("{}\n",
-             is_asked_ ? "START           no body that moves passes through another, no deforming one through itself, "
-                         "proven"
-                       : "presupposes     bodies that do not pass through each other at the START: --check-start asks");
+             is_asked_
+                 ? "START           no body that moves passes through another, no deforming one through itself, "
+                   "proven"
+                 : "presupposes     bodies that do not pass through each other at the START: --check-start tests this");
 }
 
 void StartCheck::add_to(Json& json) const { json["start_intersections"] = is_asked_ ? Json(intersections_) : Json(); }

@@ -34,6 +34,9 @@ enum class Shared { nothing, file, pipe, device };
 /// What the stream leads to, if the path leads there too.
 Shared shared_by(Stream stream, const std::filesystem::path& path);
 
+/// The time that processors have spent on the process, in all its threads. (On Windows std::clock() is a wall clock.)
+double cpu_seconds();
+
 /// The most memory that the process has had.
 std::uint64_t peak_memory_bytes();
 

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <ctime>
 
 #include "files/system.hpp"
 
@@ -46,6 +47,8 @@ Shared shared_by(Stream stream, const fs::path& path) {
   if (S_ISREG(of_path.st_mode)) return Shared::file;
   return S_ISFIFO(of_path.st_mode) || S_ISSOCK(of_path.st_mode) ? Shared::pipe : Shared::device;
 }
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 std::uint64_t peak_memory_bytes() {
   rusage usage{};

@@ -84,6 +84,14 @@ Shared shared_by(Stream stream, const fs::path& path) {
   }
 }
 
+double cpu_seconds() {
+  FILETIME begun{}, ended{}, kernel{}, user{};
+  GetProcessTimes(GetCurrentProcess(), &begun, &ended, &kernel, &user);
+  constexpr double kUnit = 1e-7, kWord = 0x1p32;
+  const auto seconds = [](const FILETIME& t) { return (t.dwHighDateTime * kWord + t.dwLowDateTime) * kUnit; };
+  return seconds(kernel) + seconds(user);
+}
+
 std::uint64_t peak_memory_bytes() {
   PROCESS_MEMORY_COUNTERS counters{};
   GetProcessMemoryInfo(GetCurrentProcess(), &counters, sizeof counters);

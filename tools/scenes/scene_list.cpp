@@ -46,7 +46,7 @@ Scene scene_by_name(std::string_view name, Index triangles, std::uint64_t seed) 
     throw InvalidOptions("there is no scene '" + std::string(name) + "': choose one of " + names);
   }
   if (triangles < 1)
-    throw InvalidOptions("a scene of " + std::to_string(triangles) + " triangles cannot be made: ask for at least 1");
+    throw InvalidOptions("a scene of " + std::to_string(triangles) + " triangles cannot be made: give at least 1");
   Scene scene = recipe->make(triangles, seed);
   scene.name = name;
   return scene;

@@ -1,4 +1,4 @@
-"""Tamis: every contact between moving, deforming triangle meshes, and a proof that each pair left out is free.
+"""Tamis: every contact between moving, deforming triangle meshes, and a proof that all other pairs are free.
 
 >>> import tamis
 >>> detector = tamis.Detector(tamis.Mesh(faces, vertex_count=len(start)))

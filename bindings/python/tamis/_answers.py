@@ -31,13 +31,13 @@ class EarliestContact(NamedTuple):
 
 @renamed(lower="toi_lower", upper="toi_upper")
 class SafeStep(NamedTuple):
-    """How far the step may go so that every pair keeps a fraction of its distance.
+    """How far the step may go while every pair keeps a fraction of its distance.
 
     Attributes
     ----------
     toi_lower : float
-        Fraction of the step: on [0, toi_lower] every pair keeps at least its fraction of the distance, and on
-        [0, toi_lower) no pair touches, proven. 1 if the whole step may go.
+        Fraction of the step: every pair keeps at least its fraction of the distance on [0, toi_lower], proven. No pair
+        touches on [0, toi_lower), proven. 1 if the whole step may go.
     toi_upper : float
         Fraction of the step: at this time some pair has no more than its fraction of the distance left, proven. 1 if
         that is not known of any time.

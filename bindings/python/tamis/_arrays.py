@@ -53,7 +53,7 @@ def _require_doubles(array: npt.NDArray[Any], name: str, error: type[Error]) -> 
     """Raise if a number is not a double: an integer beyond 2^53, or one of more digits than a double has."""
     with np.errstate(over="ignore"):  # what becomes infinite is refused
         nearest = array.astype(_DOUBLE)
-    # Compared as what they were: NumPy would compare integers with doubles as doubles.
+    # Compared by their former values: NumPy would compare integers with doubles as doubles.
     if array.dtype.kind == "f":
         wrong = (nearest.astype(array.dtype) != array) & ~np.isnan(array)
         candidates = array[wrong]

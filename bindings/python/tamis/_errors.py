@@ -1,4 +1,4 @@
-"""The exceptions of Tamis. Every message says what is wrong, where, and what to do."""
+"""The exceptions of Tamis. Every message names the fault, the place and the remedy."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ class InvalidMesh(Error, ValueError):
 
 
 class InvalidStep(Error, ValueError):
-    """Positions that do not fit the mesh, are no rows of three numbers, or are not finite."""
+    """Positions that do not fit the mesh, are not rows of three numbers, or are not finite."""
 
 
 class InvalidPath(Error, ValueError):
-    """A path that does not fit the mesh, breaks what it promises, or lacks a vertex that it is asked about."""
+    """A path that does not fit the mesh, breaks its promises, or lacks a vertex of a question."""
 
 
 class InvalidOptions(Error, ValueError):
@@ -24,12 +24,12 @@ class InvalidOptions(Error, ValueError):
 
 
 class Cancelled(Error):
-    """`is_cancelled` returned True and so ended the question. The detector may be asked again."""
+    """`is_cancelled` returned True and so ended the question. The detector may be queried again."""
 
 
 class Busy(Error):
-    """A question to a detector or world that is answering another one, of another thread or the one that calls this."""
+    """A question to a detector or world that is still answering another one, of this or another thread."""
 
 
 class FileError(Error, OSError):
-    """A file that cannot be used: which one, where in it, what is wrong, what to do."""
+    """A file that cannot be used. The message names the file, the place, the fault and the remedy."""

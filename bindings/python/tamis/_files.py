@@ -25,7 +25,7 @@ class MeshFile(NamedTuple):
     mesh : Mesh
         The topology.
     notes : tuple of str
-        What a reader should know: polygons that were cut, elements that were skipped.
+        Notes about the file: polygons that were cut, elements that were skipped.
     """
 
     positions: Doubles

@@ -1,4 +1,4 @@
-"""Kinds of pairs of features, and which vertices of a pair are those of its first feature."""
+"""Kinds of pairs of features, and which vertices of a pair belong to its first feature."""
 
 from __future__ import annotations
 

@@ -78,7 +78,7 @@ class Mesh:
     def edges(self) -> Indices:
         """Every edge of a triangle and every loose edge, once, shape (e, 2): vertices ascending, rows sorted.
 
-        An edge from a vertex to itself is left out. Another library may list the same edges in another order:
+        An edge from a vertex to itself is skipped. Another library may list the same edges in another order:
         `find_edges` finds their rows here.
         """
         return self._mesh.edges()
@@ -90,7 +90,7 @@ class Mesh:
 
     @property
     def loose_edges(self) -> Indices:
-        """The loose edges as given, shape (e, 2); read-only. Their rows are not those of `edges`."""
+        """The loose edges as given, shape (e, 2); read-only. Their rows differ from the rows of `edges`."""
         return self._edges
 
     @property

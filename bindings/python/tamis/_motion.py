@@ -62,7 +62,7 @@ AskedMotion = Union[StraightMotion, CurvedMotion]
 def step_asked(
     start: npt.ArrayLike, end: npt.ArrayLike, min_separation: float | None, at_start: AtStart
 ) -> tuple[_core.QueryOptions, Doubles, Doubles]:
-    """Check the arguments of a question about a step; return those of the compiled part."""
+    """Check the arguments of a question about a step; return the arguments of the compiled part."""
     own = query_options(min_separation, at_start)
     return own, rows(start, "start"), rows(end, "end")
 
@@ -70,7 +70,7 @@ def step_asked(
 def step_asked_to_keep(
     start: npt.ArrayLike, end: npt.ArrayLike, keep: float, min_separation: float | None, at_start: AtStart
 ) -> tuple[_core.QueryOptions, float, Doubles, Doubles]:
-    """Check the arguments of `safe_step` or `truncate`; return those of the compiled part."""
+    """Check the arguments of `safe_step` or `truncate`; return the arguments of the compiled part."""
     own, first, last = step_asked(start, end, min_separation, at_start)
     return own, number(keep, "keep"), first, last
 

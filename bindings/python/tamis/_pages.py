@@ -37,15 +37,9 @@ class Asked:
 
 
 class Page:
-    """A page that shows contacts: one HTML file that works without a server. Notebooks show it below the cell.
+    """A page that shows contacts: one HTML file that works without a server. Notebooks show it below the cell."""
 
-    Attributes
-    ----------
-    path : pathlib.Path
-        The file.
-    """
-
-    __slots__ = ("path",)
+    __slots__ = {"path": "The file, a `pathlib.Path`."}
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self.path = pathlib.Path(file_name(path, "path"))

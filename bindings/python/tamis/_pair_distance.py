@@ -56,7 +56,7 @@ def safe_step(
     min_separation: float = 0.0,
     latest: float = 1.0,
 ) -> SafeStep:
-    """Find how far one pair may go so that it keeps a fraction of its distance: `Detector.safe_step` for one pair.
+    """Find how far one pair may go while it keeps a fraction of its distance: `Detector.safe_step` for one pair.
 
     Parameters
     ----------

@@ -65,7 +65,7 @@ def simulate(
 ) -> Iterator[MeshFile]:
     """Simulate one of the scenes of `tamis scene` into a folder; return its frames, which are read one after the other.
 
-    Every frame is free of intersections. Ctrl-C ends the simulation after a frame; the same call goes on from there.
+    Every frame is free of intersections. Ctrl-C ends the simulation after a frame; the same call continues from there.
 
     Parameters
     ----------
@@ -100,10 +100,10 @@ def simulate(
 
 
 def simulated_scenes() -> dict[str, str]:
-    """Return the scenes of `simulate`: for each name, what the scene shows."""
+    """Return the scenes of `simulate`: for each name, a description."""
     return _core.simulated_scenes()
 
 
 def scene_names() -> dict[str, str]:
-    """Return the scenes of `scene`: for each name, what the scene shows."""
+    """Return the scenes of `scene`: for each name, a description."""
     return _core.scene_names()

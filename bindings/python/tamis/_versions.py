@@ -1,4 +1,4 @@
-"""Other packages that parts of tamis need: what is missing or of another version is refused with an advice."""
+"""Other packages that parts of tamis need: a missing package, or another version, is refused with an advice."""
 
 from __future__ import annotations
 

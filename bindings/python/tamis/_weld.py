@@ -23,7 +23,7 @@ def weld(mesh: Mesh, positions: npt.ArrayLike, distance: float = 0.0) -> Mesh:
     mesh : Mesh
         The mesh whose features name the vertices.
     positions : array_like, shape (n, 3) or (f, n, 3)
-        Those of one frame or of several: vertices that part in one of them are not joined.
+        Positions of one frame or of several: vertices that part in one of them are not joined.
     distance : float
         Finite and >= 0: vertices within this distance of the first of them are joined. 0: exactly at one place.
 

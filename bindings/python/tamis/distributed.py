@@ -1,4 +1,4 @@
-"""The questions of `tamis.Detector`, asked by the ranks of an MPI communicator, each of which has a part of the mesh.
+"""The questions of `tamis.Detector` for the ranks of an MPI communicator. Each rank has a part of the mesh.
 
 >>> from mpi4py import MPI
 >>> from tamis import distributed
@@ -46,22 +46,22 @@ _require_one_mpi()
 
 
 class Detector(Questions):
-    """A `tamis.Detector` over all ranks of a communicator, each of which has a part of the mesh.
+    """A `tamis.Detector` over all ranks of a communicator. Each rank has a part of the mesh.
 
     Construction and every question are collective: all ranks call them, in the same order and with the same options;
     only `threads`, `isa`, `filter` and `is_cancelled` may differ. Vertices have the numbers of the whole mesh
-    everywhere: in faces, filters and answers. The answers are bit for bit those of one `tamis.Detector` with the whole
-    mesh, however the mesh is divided among the ranks.
+    everywhere: in faces, filters and answers. The answers are bit for bit the answers of one `tamis.Detector` with the
+    whole mesh, however the mesh is divided among the ranks.
 
-    An error on one rank is raised on all ranks, as the same `tamis.Error`, with a sentence that begins with the rank;
-    the next question may be asked. There is one exception: Ctrl-C, or an exception of `is_cancelled`, is raised as it
+    An error on one rank is raised on all ranks, as the same `tamis.Error`, with a sentence that begins with the rank.
+    The next question works as usual. There is one exception: Ctrl-C, or an exception of `is_cancelled`, is raised as it
     is on its rank, and the other ranks raise `Cancelled`.
 
     Parameters
     ----------
     comm : mpi4py.MPI.Intracomm
-        The communicator. It is duplicated, so that messages never mix with those of others. The duplicate is freed
-        after the detector is gone on all of its ranks, when these ranks make another detector.
+        The communicator. It is duplicated: messages never mix with other messages. The duplicate is freed after the
+        detector is gone on all of its ranks, when these ranks make another detector.
     faces : array_like of int, shape (f, 3)
         This rank's triangles, each given by one rank; may be empty.
     vertices : array_like of int, shape (n,)
@@ -76,7 +76,7 @@ class Detector(Questions):
     groups : array_like of int, shape (n,), optional
         The group of the vertex of each row, >= 0.
     filter : callable, optional
-        As in `tamis.Detector`. Any rank may ask it, so its answer about a pair may not depend on the rank.
+        As in `tamis.Detector`. Any rank may call it, so its answer about a pair may not depend on the rank.
     min_separation, isa, may_touch, radii, is_cancelled
         As in `tamis.Detector`.
 

@@ -145,7 +145,7 @@ def test_frames_that_cannot_be_used() -> None:
     frames[1, 0, 0] = np.nan
     report = tamis.audit(frames, faces=FACES)
     assert list(report.problems) == [1] and "vertex 0 is not finite" in report.problems[1]
-    assert "frames that could not be asked: 1" in repr(report)
+    assert "frames that could not be tested: 1" in repr(report)
     assert len(report.steps) == 1 and report.frames.intersections.tolist() == [0, 0, 2, 0]
     assert not tamis.audit(frames[:2], faces=FACES).is_free
 

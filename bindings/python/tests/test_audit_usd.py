@@ -123,7 +123,7 @@ def test_what_is_not_rendered_is_left_out_unless_it_is_named(purpose: str) -> No
         other.CreatePurposeAttr(purpose)
     report = tamis.audit(stage)
     assert len(report.pairs) == len(tamis.audit(_stage()).pairs)
-    assert report.notes[0] == f"not asked about, 1 prims: /World/Spike/Other ({purpose})"
+    assert report.notes[0] == f"skipped, 1 prims: /World/Spike/Other ({purpose})"
     assert "1 meshes" in repr(tamis.read_usd(stage, prims=["/World/Spike/Other"]))
 
 
@@ -139,7 +139,7 @@ def test_of_a_stage_whose_meshes_are_all_invisible_that_is_said() -> None:
 def test_a_sphere_is_named_as_left_out() -> None:
     stage = _stage()
     UsdGeom.Sphere.Define(stage, "/World/Ball")
-    assert tamis.audit(stage).notes[0] == "not asked about, 1 prims: /World/Ball (Sphere, no mesh)"
+    assert tamis.audit(stage).notes[0] == "skipped, 1 prims: /World/Ball (Sphere, no mesh)"
 
 
 def test_prototypes_of_a_point_instancer_are_no_meshes_of_the_scene() -> None:
@@ -148,7 +148,7 @@ def test_prototypes_of_a_point_instancer_are_no_meshes_of_the_scene() -> None:
     _mesh(stage, "/World/Dust/Prototype", [(0, 0, -1), (1, 0, 1), (0, 1, 1)], [3], [0, 1, 2])
     report = tamis.audit(stage)
     assert len(report.pairs) == len(tamis.audit(_stage()).pairs)
-    assert report.notes[0] == "not asked about, 1 prims: /World/Dust (point instancer)"
+    assert report.notes[0] == "skipped, 1 prims: /World/Dust (point instancer)"
 
 
 def test_what_cannot_be_used(tmp_path: pathlib.Path) -> None:

@@ -51,9 +51,9 @@ pub struct Contact {
     pub toi_lower: f64,
     /// If certified, it touches at some time of \[toi_lower, toi_upper\].
     pub toi_upper: f64,
-    /// vf: point = (1-u-v) f0 + u f1 + v f2; ee: u on the first edge, v on the second; ve: u on the edge.
+    /// weight. vf: point = (1-u-v) f0 + u f1 + v f2; ee: on the first edge; ve: on the edge.
     pub u: f64,
-    /// vf: point = (1-u-v) f0 + u f1 + v f2; ee: u on the first edge, v on the second; ve: u on the edge.
+    /// weight. vf: as above; ee: on the second edge.
     pub v: f64,
     /// Unit vector. To part the features, move the first one along it, or the second one against it. With a minimum * separation or radii, and for vertex-edge and vertex-vertex: from the second feature's closest point to the first's * at toi_lower. Otherwise: the normal of the face, or the cross product of both edges, on the side where the first * feature is just before they touch. Special cases: Contact in tamis/contact.hpp.
     pub normal: [f64; 3],
@@ -71,9 +71,9 @@ pub struct NearPair {
     pub vertices: [i32; 4],
     /// proven: off by at most 2^-41 of the largest |component| of the differences between the pair's vertices, and by at most 2^-1075 more below the smallest normal double.
     pub distance: f64,
-    /// Weights of two closest points; tamis_weights_of gives 0 to vertices without a share.
+    /// Weight of two closest points; tamis_weights_of gives 0 to vertices without a share.
     pub u: f64,
-    /// Weights of two closest points; tamis_weights_of gives 0 to vertices without a share.
+    /// Second weight.
     pub v: f64,
     /// Unit vector from the second feature's closest point to the first's.
     pub direction: [f64; 3],
@@ -93,17 +93,17 @@ pub struct tamis_safe_step {
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Intersection {
-    /// Vertices of the edge and of the face.
+    /// Vertices of the edge, ascending.
     pub edge: [i32; 2],
-    /// Vertices of the edge and of the face.
+    /// Vertices of the face, in the mesh's order.
     pub face: [i32; 3],
     /// Parameter of the first common point, from edge\[0\] on: in \[s_lower, s_upper\].
     pub s_lower: f64,
-    /// Parameter of the first common point, from edge\[0\] on: in \[s_lower, s_upper\].
+    /// Upper bound of that parameter.
     pub s_upper: f64,
-    /// That point is (1-u-v) f0 + u f1 + v f2, rounded.
+    /// weight: that point is (1-u-v) f0 + u f1 + v f2, rounded.
     pub u: f64,
-    /// That point is (1-u-v) f0 + u f1 + v f2, rounded.
+    /// Second weight.
     pub v: f64,
     /// In a world the edge's body and the face's; from a detector -1.
     pub bodies: [i32; 2],
@@ -334,6 +334,7 @@ extern "C" { pub fn tamis_path_vertex_face(path: *mut tamis_path, options: *cons
 extern "C" { pub fn tamis_path_edge_edge(path: *mut tamis_path, options: *const tamis_path_options, count: usize, vertices: *const i32, results: *mut tamis_pair_result, result_size: usize) -> c_int; }
 extern "C" { pub fn tamis_path_vertex_edge(path: *mut tamis_path, options: *const tamis_path_options, count: usize, vertices: *const i32, results: *mut tamis_pair_result, result_size: usize) -> c_int; }
 extern "C" { pub fn tamis_path_vertex_vertex(path: *mut tamis_path, options: *const tamis_path_options, count: usize, vertices: *const i32, results: *mut tamis_pair_result, result_size: usize) -> c_int; }
+/// The call did what it says.
 pub const TAMIS_OK: i32 = 0;
 /// A pointer that is NULL, or a size or a place out of range.
 pub const TAMIS_INVALID_ARGUMENT: i32 = 1;
@@ -347,6 +348,7 @@ pub const TAMIS_INVALID_OPTIONS: i32 = 4;
 pub const TAMIS_CANCELLED: i32 = 5;
 /// The detector or world is still answering another question: of another thread, or of the filter's own caller.
 pub const TAMIS_BUSY: i32 = 6;
+/// Memory is exhausted.
 pub const TAMIS_OUT_OF_MEMORY: i32 = 7;
 /// Anything else.
 pub const TAMIS_FAILED: i32 = 8;

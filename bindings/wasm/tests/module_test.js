@@ -102,7 +102,7 @@ async function refusesOldEngines() {
   const validate = WebAssembly.validate;
   for (const [part, sentence] of [[253, /128-bit SIMD.*newer/], [64, /exceptions.*newer/]]) {
     WebAssembly.validate = code => !code.includes(part) && validate(code);
-    await assert.rejects(createTamis, sentence);
+    await assert.rejects(async () => createTamis(), sentence);
   }
   WebAssembly.validate = validate;
 }

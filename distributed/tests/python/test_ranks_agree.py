@@ -57,7 +57,7 @@ WRONG: list[tuple[type[Exception], str, Ask]] = [
     (tamis.InvalidOptions, "root is None", lambda d, p: d.gather_contacts(or_bad(0, None))),
     (_MESH, "faces has the shape", lambda d, p: distributed.Detector(COMM, or_bad([], [[1]]), [])),
     (_MESH, "names vertex -7", lambda d, p: distributed.Detector(COMM, or_bad([], [[0, 1, -7]]), [])),
-    (_OPTIONS, "no instruction set is called", lambda d, p: p.detector(isa=or_bad("best", "other"))),
+    (_OPTIONS, "unknown instruction set", lambda d, p: p.detector(isa=or_bad("best", "other"))),
     (_OPTIONS, "threads is -1", lambda d, p: distributed.Detector(COMM, p.faces, p.vertices, threads=or_bad(1, -1))),
     (_OPTIONS, "of the dtype <U1", lambda d, p: p.detector(groups=or_bad(p.groups, ["a"]))),
     (_OPTIONS, "groups holds 2147483647", lambda d, p: p.detector(groups=or_bad(p.groups, [2**31 - 1]))),

@@ -8,11 +8,12 @@
 extern "C" {
 #endif
 
+/** Holds a mesh and the hierarchy over it: keep it from step to step. */
 typedef struct tamis_detector tamis_detector;
 
 /** Options of a detector. A field that is zero has its default. */
 typedef struct tamis_options {
-  size_t size;
+  size_t size;           /**< sizeof(tamis_options) */
   const char* isa;       /**< "best", "baseline", "avx2", "avx512"; NULL: "best". Changes speed only */
   int32_t threads;       /**< 0: as many as the caller's oneTBB arena gives; without oneTBB 1. Changes speed only */
   double min_separation; /**< d >= 0: contact means Euclidean distance <= d */

@@ -7,10 +7,12 @@
 extern "C" {
 #endif
 
+/** The topology of the moving objects. */
 typedef struct tamis_mesh tamis_mesh;
 
+/** What tamis_mesh_create makes a mesh of. */
 typedef struct tamis_mesh_input {
-  size_t size;
+  size_t size;                 /**< sizeof(tamis_mesh_input) */
   int32_t vertex_count;        /**< number of rows of the positions of every step, >= 0 */
   const int32_t* faces;        /**< face_count x 3 vertex indices, any winding */
   size_t face_count;           /**< may be 0 */

@@ -7,10 +7,12 @@
 extern "C" {
 #endif
 
+/** Holds options and buffers for questions about pairs. */
 typedef struct tamis_pairs tamis_pairs;
 
+/** Options of questions about pairs. A field that is zero has its default. */
 typedef struct tamis_pair_options {
-  size_t size;
+  size_t size;           /**< sizeof(tamis_pair_options) */
   double min_separation; /**< d >= 0, as in tamis_options */
   int32_t threads;       /**< the same */
   const char* isa;       /**< the same */

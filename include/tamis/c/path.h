@@ -61,11 +61,11 @@ TAMIS_API tamis_status tamis_pose_of_matrix(const double* rows, const double* po
 
 /** Bodies that each move on a chain of links. */
 typedef struct tamis_rigid_path_input {
-  size_t size;
-  int32_t vertex_count;
+  size_t size;                   /**< sizeof(tamis_rigid_path_input) */
+  int32_t vertex_count;          /**< number of vertices */
   const double* rest;            /**< vertex_count x 3: each vertex in its body's own frame */
   const int32_t* body_of_vertex; /**< the body of each vertex, in [0, body_count) */
-  size_t body_count;
+  size_t body_count;             /**< number of bodies */
   /** How many links each body has; 0: the body stays where its points are given. A point of the body goes through the
    * last link first. */
   const size_t* links_of_body;
@@ -76,16 +76,16 @@ typedef struct tamis_rigid_path_input {
 
 /** Frames of points: the control points of Bezier curves, or the frames through which a Catmull-Rom spline goes. */
 typedef struct tamis_spline_path_input {
-  size_t size;
-  int32_t vertex_count;
-  size_t frame_count;
+  size_t size;          /**< sizeof(tamis_spline_path_input) */
+  int32_t vertex_count; /**< number of vertices */
+  size_t frame_count;   /**< number of frames */
   const double* frames; /**< frame_count x vertex_count x 3 */
 } tamis_spline_path_input;
 
 /** Any motion. Both functions are called from several threads, for `count` vertices by their numbers. */
 typedef struct tamis_path_functions {
-  size_t size;
-  int32_t vertex_count;
+  size_t size;          /**< sizeof(tamis_path_functions) */
+  int32_t vertex_count; /**< number of vertices */
   /** Writes where each vertex is at `time`, count x 3, and for each a bound >= 0: no coordinate is off by more than
    * this. */
   void (*points_at)(void* user, double time, const int32_t* vertices, size_t count, double* points, double* errors);
@@ -120,7 +120,7 @@ TAMIS_API tamis_status tamis_path_points_at(tamis_path* path, double time, doubl
 /** Options of one question about a path, or about a world, whose bodies may turn. A field that is zero has its default.
  */
 typedef struct tamis_path_options {
-  size_t size;
+  size_t size;                  /**< sizeof(tamis_path_options) */
   double tolerance;             /**< the widest bracket of a contact, a fraction of the step in (0, 1]; 0: 1e-9 */
   const double* min_separation; /**< for this question alone; NULL: the detector's, the world's, or 0 for pairs */
   /** Only for lists of pairs, where one pair may take seconds. Called again and again. Once it returns other than 0,

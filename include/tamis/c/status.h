@@ -18,8 +18,9 @@
 extern "C" {
 #endif
 
+/** What a call returns. */
 typedef enum tamis_status {
-  TAMIS_OK = 0,
+  TAMIS_OK = 0,               /**< the call did what it says */
   TAMIS_INVALID_ARGUMENT = 1, /**< a pointer that is NULL, or a size or a place out of range */
   TAMIS_INVALID_MESH = 2,     /**< a topology that cannot be used */
   TAMIS_INVALID_STEP = 3,     /**< positions that do not fit the mesh, or are not finite */
@@ -27,9 +28,9 @@ typedef enum tamis_status {
   TAMIS_CANCELLED = 5,        /**< is_cancelled ended the question; the detector may be queried again */
   TAMIS_BUSY = 6, /**< the detector or world is still answering another question: of another thread, or of the filter's
                      own caller */
-  TAMIS_OUT_OF_MEMORY = 7,
-  TAMIS_FAILED = 8,      /**< anything else */
-  TAMIS_INVALID_PATH = 9 /**< a path that does not fit the mesh, or breaks its promises */
+  TAMIS_OUT_OF_MEMORY = 7, /**< memory is exhausted */
+  TAMIS_FAILED = 8,        /**< anything else */
+  TAMIS_INVALID_PATH = 9   /**< a path that does not fit the mesh, or breaks its promises */
 } tamis_status;
 
 /** Returns the version of the library, such as "0.1.0". Never free it, nor any other string that is returned. */

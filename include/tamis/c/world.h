@@ -15,7 +15,7 @@ typedef struct tamis_shape tamis_shape;
 
 /** Options of a shape. A field that is zero has its default. */
 typedef struct tamis_shape_options {
-  size_t size;
+  size_t size;     /**< sizeof(tamis_shape_options) */
   const char* isa; /**< the instruction set that builds the hierarchy, as in tamis_options; NULL: "best" */
 } tamis_shape_options;
 
@@ -37,13 +37,13 @@ typedef struct tamis_world tamis_world;
 
 /** Options of a world, as in tamis_options. A field that is zero has its default. */
 typedef struct tamis_world_options {
-  size_t size;
-  const char* isa; /**< NULL: "best" */
-  int32_t threads;
-  int32_t rings; /**< for deforming bodies, which may touch themselves */
-  double min_separation;
-  int (*is_cancelled)(void* user);
-  void* user; /**< passed to is_cancelled and parallel_for */
+  size_t size;                     /**< sizeof(tamis_world_options) */
+  const char* isa;                 /**< NULL: "best" */
+  int32_t threads;                 /**< as in tamis_options */
+  int32_t rings;                   /**< for deforming bodies, which may touch themselves */
+  double min_separation;           /**< as in tamis_options */
+  int (*is_cancelled)(void* user); /**< as in tamis_options */
+  void* user;                      /**< passed to is_cancelled and parallel_for */
   void (*parallel_for)(void* user, int32_t count, tamis_loop_body body, void* loop); /**< as in tamis_options */
 } tamis_world_options;
 
@@ -59,7 +59,7 @@ TAMIS_API const char* tamis_world_message(const tamis_world* world);
 /** How some bodies move. Give either poses, or links, or start and end, and NULL for the others. If all are NULL, each
  * body stays where its shape's points are. Arrays hold one body after the other. */
 typedef struct tamis_motions {
-  size_t size;
+  size_t size;                   /**< sizeof(tamis_motions) */
   size_t count;                  /**< number of bodies */
   const tamis_pose* poses;       /**< one for each body, which stays there; or NULL */
   const tamis_rigid_link* links; /**< each body moves by a chain of links, outermost first; or NULL */
@@ -122,9 +122,10 @@ TAMIS_API tamis_status tamis_world_earliest(tamis_world* world, const tamis_path
                                             double* toi_upper, size_t* count);
 /** The first contact of one of many motions. */
 typedef struct tamis_earliest {
-  double toi_lower, toi_upper; /**< as tamis_detector_earliest writes them */
-  int32_t has_contact;         /**< 0: the motion is free, and both times are 1 */
-  tamis_contact contact;       /**< the first contact; no meaning if has_contact is 0 */
+  double toi_lower;      /**< as tamis_detector_earliest writes it */
+  double toi_upper;      /**< as tamis_detector_earliest writes it */
+  int32_t has_contact;   /**< 0: the motion is free, and both times are 1 */
+  tamis_contact contact; /**< the first contact; no meaning if has_contact is 0 */
 } tamis_earliest;
 
 /** Finds the first contact of each of many motions of `body_count` bodies, each named once, while all others move as

@@ -10,8 +10,7 @@ namespace tamis {
 /// Throws Cancelled if the caller's is_cancelled returns true. `options`: anything with that member.
 template <class AnyOptions>
 void stop_if_cancelled(const AnyOptions& options) {
-  if (options.is_cancelled && of_caller(options.is_cancelled))
-    throw Cancelled("the question was cancelled: ask it again");
+  if (options.is_cancelled && of_caller(options.is_cancelled)) throw Cancelled("the question was cancelled: repeat it");
 }
 
 }  // namespace tamis

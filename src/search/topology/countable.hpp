@@ -24,15 +24,16 @@ inline void require_countable(std::size_t faces, std::size_t loose_edges) {
 /// Throws InvalidMesh unless both ends of all edges can be numbered by Index. Rows of neighbours hold them all.
 inline void require_countable_ends(std::size_t edges) {
   if (edges <= kMostNumbers / 2) return;
-  throw InvalidMesh("the mesh has " + std::to_string(edges) + " edges: where neighbours are asked for, as rings do, " +
-                    std::to_string(kMostNumbers / 2) + " may be at most; split the mesh");
+  throw InvalidMesh("the mesh has " + std::to_string(edges) +
+                    " edges: for questions about neighbours, such as rings, " + std::to_string(kMostNumbers / 2) +
+                    " may be at most; split the mesh");
 }
 
 /// The pairs of an answer are numbered in 32 bits while they are put in order. Throws Error if there are more.
 inline void require_countable_pairs(std::size_t pairs) {
   if (pairs <= kMostNumbers) return;
   throw Error("the answer has more than " + std::to_string(kMostNumbers) +
-              " pairs: ask about parts of the mesh, or with a smaller distance");
+              " pairs: query parts of the mesh, or take a smaller distance");
 }
 
 /// The number of an edge, given how many come before it. REQUIRES: a countable mesh, so the edge has a number.

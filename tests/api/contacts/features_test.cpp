@@ -68,7 +68,7 @@ TEST(FeaturesOf, OfAnotherMeshAreRefusedByName) {
             "the mesh has no edge between the vertices 2 and 4" + advice);
   EXPECT_EQ(refusal(mesh, PairKind::edge_edge, {1, 0, 4, 3}), "");
   EXPECT_EQ(refusal(mesh, static_cast<PairKind>(9), {1, 0, 4, 3}),
-            "no kind has the number 9: use one of the enumeration's names");
+            "unknown kind number 9: use one of the enumeration's names");
 }
 
 TEST(SignedWeights, GiveTheVectorBetweenBothPoints) {

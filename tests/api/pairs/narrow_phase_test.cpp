@@ -196,7 +196,7 @@ TEST(NarrowPhase, BadPairsAreNamedTheFirstOfThem) {
                                                     " positions: give indices in [0, " + count + ")");
   pairs[70].kind = static_cast<PairKind>(kPairKinds);
   EXPECT_EQ(sentence<InvalidStep>(pairs, step),
-            "pair 70: no kind has the number " + std::to_string(kPairKinds) + ": use one of the enumeration's names");
+            "pair 70: unknown kind number " + std::to_string(kPairKinds) + ": use one of the enumeration's names");
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     for (std::size_t place = 0; place < 4; ++place) {
       auto end = cases.end;

@@ -30,10 +30,9 @@ void DetectorArguments::declare_for_bodies(OptionList& options) {
 
 void DetectorArguments::declare_means(OptionList& options) {
   options.add_number("--threads", "N", threads_, kThreadCounts, "threads to use; 0, the default: all");
-  options.add_number(
-      "--rings", "K", rings_, kRings,
-      "leave out pairs whose features are fewer than K edges apart along the mesh; 1, the default: those "
-      "with a common vertex");
+  options.add_number("--rings", "K", rings_, kRings,
+                     "skip pairs whose features are fewer than K edges apart along the mesh; 1, the default: pairs "
+                     "with a common vertex");
   options.add_text("--isa", isa_, "instruction set of the hot loops: best (default), baseline, avx2 or avx512")
       .shown_as("NAME");
 }
@@ -56,9 +55,9 @@ Options DetectorArguments::chosen() const {
 
 Options DetectorArguments::options() const {
   if (radii_.size() > 1)
-    throw InvalidOptions(
-        fmt::format("--radius: {} radii: which vertices make an object takes the whole mesh; give one radius for all",
-                    radii_.size()));
+    throw InvalidOptions(fmt::format(
+        "--radius: {} radii: only the whole mesh tells which vertices make an object; give one radius for all",
+        radii_.size()));
   Options options = chosen();
   options.radii = radii_;
   return options;
@@ -96,8 +95,8 @@ void ScaleArgument::declare(OptionList& options) {
 void KeepArgument::declare(OptionList& options) {
   options.add_number(
       "--keep", "F", keep_, {.least = 0, .most = 1, .takes_most = false},
-      "every pair keeps at least F times its distance at START, with a minimum separation of what exceeds "
-      "that; 0: only contacts count; default 0.1");
+      "every pair keeps at least F times its distance at START, beyond the minimum separation if there is "
+      "one; 0: only contacts count; default 0.1");
 }
 
 void WeldArgument::declare(OptionList& options) {

@@ -91,7 +91,7 @@ class WeldArgument {
 void declare_json(OptionList& options, bool& json);
 void declare_repeat(
     OptionList& options, int& repeat,
-    const std::string& help = "ask N times, report the median time of the runs after the first; default 1");
+    const std::string& help = "run the query N times, report the median time of the runs after the first; default 1");
 /// `of` says what the seed is of.
 Option declare_seed(OptionList& options, std::uint64_t& seed, const std::string& of);
 void declare_min_separation(OptionList& options, double& distance);

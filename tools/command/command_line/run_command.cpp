@@ -83,6 +83,7 @@ void declare(const Command& command, CLI::App& app) {
 int run_words(const Command& command, const std::vector<std::string>& given) {
   system::prepare_streams();
   CLI::App app(command.description, command.name);
+  app.allow_windows_style_options(false);  // /folder/file is a name on Windows, too
   declare(command, app);
   const std::string first = given.empty() ? "" : given.front();
   const bool has_verb = !given.empty() && !first.starts_with('-');

@@ -128,7 +128,7 @@ TEST_F(AuditVerb, PairsThatAreNotListedAreCounted) {
   EXPECT_EQ(json["pairs"].size(), 1u);
   EXPECT_EQ(json["pairs_left_out"], 3);
   EXPECT_EQ(json["rings"]["unconnected"], 4);
-  EXPECT_NE(folder_.run("audit f --pairs 1").out.find("left out        3"), std::string::npos);
+  EXPECT_NE(folder_.run("audit f --pairs 1").out.find("not listed      3"), std::string::npos);
 }
 
 // Bug: floats are read in the wrong order of bytes, or from the wrong place.
@@ -159,8 +159,8 @@ TEST_F(AuditVerb, ABadCacheIsSaid) {
   folder_.write("text.mdd", std::string(100, 'x'));
   expect_problem("audit cloth.obj cut.pc2", "frame 2, 2: the file ends here: it was cut short, and 1 of its 3 frames");
   expect_problem("audit cloth.obj long.pc2",
-                 "frame 3, rest: the file goes on after the 3 frames that its header names");
-  expect_problem("audit cloth.obj long.mdd", "frame 2, rest: the file goes on after the 2 frames");
+                 "frame 3, rest: the file continues after the 3 frames that its header names");
+  expect_problem("audit cloth.obj long.mdd", "frame 2, rest: the file continues after the 2 frames");
   expect_refused("audit cloth.obj head.pc2", "ends in its header");
   expect_refused("audit cloth.obj other.pc2", "it has 7 vertices a frame, the mesh 6");
   expect_refused("audit cloth.obj none.pc2", "names 0 frames");

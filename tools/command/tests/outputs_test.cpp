@@ -49,7 +49,7 @@ TEST_F(Outputs, DoNotMixWithAnAnswerThatMustStandAlone) {
     folder_.run(verb + " --out /dev/stdout 2>err | cat >both; true");
     EXPECT_EQ(bytes_of_file(folder_.path() / "both"), "") << verb;
     const std::string err = bytes_of_file(folder_.path() / "err");
-    EXPECT_NE(err.find("--out /dev/stdout is the pipe that the answer goes to"), std::string::npos) << verb << err;
+    EXPECT_NE(err.find("--out /dev/stdout is the pipe of the answer"), std::string::npos) << verb << err;
   }
 }
 

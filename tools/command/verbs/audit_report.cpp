@@ -126,18 +126,17 @@ Json rings_of(const Report& report) {
 void print_audit(const Report& report, double seconds) {
   const std::vector<std::size_t> bad = bad_frames(report);
   print_bad(report, bad);
-  fmt::print("asked           {} and {}{}\n", counted(report.frames.size() - report.problems, "frame"),
+  fmt::print("tested          {} and {}{}\n", counted(report.frames.size() - report.problems, "frame"),
              counted(report.steps, "step"),
              report.segments.size() > 1 ? fmt::format(", of {} topologies", report.segments.size()) : "");
   if (bad.empty())
     fmt::print("found           {}\n", report.problems == 0 && !report.ended_by
-                                           ? "nothing: what was asked is free, proven"
-                                           : "nothing in what could be asked");
+                                           ? "nothing: all of it is free, proven"
+                                           : "nothing in the frames that could be tested");
   else
     print_found(report, bad);
   if (report.pairs_left_out > 0)
-    fmt::print("left out        {} of the pairs are counted, and not listed: --pairs N lists more\n",
-               grouped(report.pairs_left_out));
+    fmt::print("not listed      {} pairs are counted alone: --pairs N lists more\n", grouped(report.pairs_left_out));
   fmt::print("time            {}, {:.1f} frames a second\n", readable(seconds),
              static_cast<double>(report.frames.size()) / seconds);
 }

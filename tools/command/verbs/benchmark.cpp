@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <ctime>
 #include <functional>
 #include <optional>
 #include <span>
@@ -19,11 +18,8 @@ namespace {
 
 struct Run {
   Seconds wall;
-  double cpu;
+  double cpu;  ///< of all threads: steadier than the wall clock if others use the machine too
 };
-
-/// Processor time of all threads: steadier than the wall clock if others use the machine too.
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// FNV-1a over the pairs in their order, which the detector promises.
 std::uint64_t fingerprint_of(std::span<const Contact> contacts) {
@@ -92,7 +88,7 @@ class Runner {
 
   Run run(Detector& detector, BenchmarkResult& result) const {
     Run run{};
-    const double start = cpu_seconds();
+    const double start = system::cpu_seconds();
     BenchmarkResult part;
     for (std::size_t i = 0; i < ends_.size(); ++i) {
       ask_(detector, {i == 0 ? case_.start : ends_[i - 1], ends_[i]}, part);
@@ -100,7 +96,7 @@ class Runner {
       add(result, part, i);
     }
     // The fingerprint is in the processor time, a few ns a contact; the wall clock is the detector's own.
-    run.cpu = cpu_seconds() - start;
+    run.cpu = system::cpu_seconds() - start;
     return run;
   }
 

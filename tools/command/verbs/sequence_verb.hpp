@@ -18,7 +18,7 @@ class SequenceVerb : public MotionVerb {
         .required();
     declare_motion(options);
     options.add_number("--substeps", "N", substeps_, kRunCounts,
-                       "cut each step into N equal ones, asked one after the other; default 1");
+                       "cut each step into N equal ones, tested one after the other; default 1");
     declare_json(options, json_);
   }
 

@@ -52,8 +52,8 @@ class Audit final : public Verb {
     options.add_path("--out-frames", out_frames_, "a table of the frames to write: csv").shown_as("FILE");
     options.add_number("--threads", "N", options_.threads, kThreadCounts, "threads to use; 0, the default: all");
     declare_min_separation(options, options_.min_separation);
-    options.add_flag("--no-intersections", no_intersections_, "ask for contacts alone");
-    options.add_flag("--no-contacts", no_contacts_, "ask for intersections alone: each frame by itself");
+    options.add_flag("--no-intersections", no_intersections_, "find contacts alone");
+    options.add_flag("--no-contacts", no_contacts_, "find intersections alone, in each frame by itself");
     options.add_number("--ring-limit", "N", options_.ring_limit, NumberRange<Index>{1, 1000},
                        "search paths of up to N edges between the features of a pair; default 10");
     options.add_number("--pairs", "N", options_.listed_pairs, NumberRange<std::uint64_t>{0, kMostPairs},

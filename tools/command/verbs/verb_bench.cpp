@@ -82,7 +82,7 @@ void Bench::declare_lists(OptionList& options) {
   keep_.declare(options);
   options.add_names(
       "--mode", modes_,
-      "what the kept detector was asked before: warm (default), other positions; again, the same start in the "
+      "earlier questions of the kept detector: warm (default), other positions; again, the same start in the "
       "other direction; substeps: parts of the step, one after the other");
   declare_ways(options);
   options.add_numbers("--threads", "N", threads_, kThreadCounts, "numbers of threads; 0: all; default 1");
@@ -104,7 +104,7 @@ void Bench::check() {
   if (has_files == !scene_.empty() || start_.empty() != end_.empty())
     throw InvalidOptions("give either START and END or --scene");
   if (has_files && (triangles_option_.is_given() || seed_option_.is_given()))
-    throw InvalidOptions("--triangles and --seed are of generated scenes: give --scene in place of START and END");
+    throw InvalidOptions("--triangles and --seed are of generated scenes: give --scene instead of START and END");
   require_output(out_, {start_, end_}, true, "csv");
 }
 

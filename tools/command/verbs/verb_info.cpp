@@ -17,7 +17,7 @@ namespace {
 class Info final : public Verb {
  public:
   const char* name() const override { return "info"; }
-  const char* summary() const override { return "What a mesh is: counts, edges, degenerate faces, components"; }
+  const char* summary() const override { return "Facts about a mesh: counts, edges, degenerate faces, components"; }
   const char* examples() const override {
     return "  tamis info cloth.ply\n"
            "  tamis info cloth.obj --json";

@@ -74,7 +74,7 @@ class IntersectionsVerb final : public PoseVerb {
     print_asked(detector);
     if (!collapse.passes()) collapse.print();
     if (found.empty() && !collapse.passes())
-      fmt::print("intersections   none of what is left\n");
+      fmt::print("intersections   none among the other objects\n");
     else if (found.empty())
       fmt::print(
           "intersections   none: no edge passes through a triangle that shares no vertex with it, or touches one, "

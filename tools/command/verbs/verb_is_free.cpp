@@ -86,7 +86,7 @@ class IsFree final : public MotionVerb {
     const std::size_t steps = frames.step_count();
     print_free(!met, steps == 1 ? "the step" : fmt::format("any of {} steps", grouped(steps)));
     if (met && steps > 1)
-      fmt::print("first           in step {}, to {}; later ones were not asked\n", *met,
+      fmt::print("first           in step {}, to {}; later steps were not tested\n", *met,
                  printable(frames.paths()[*met].string()));
     if (steps == 1) print_ignored(detector.statistics());
     if (!met) start_.print();

@@ -13,7 +13,7 @@ class SafeStepLength final : public StepVerb {
  public:
   const char* name() const override { return "safe-step"; }
   const char* summary() const override {
-    return "How far the step may go so that every pair keeps a part of its distance: for a barrier's line search";
+    return "How far the step may go while every pair keeps a part of its distance: for a barrier's line search";
   }
   const char* examples() const override {
     return "  tamis safe-step cloth1.ply cloth2.ply\n"

@@ -26,7 +26,7 @@ class Scene final : public Verb {
            "  tamis scene bunny --out frames --check\n"
            "  tamis scene airbag --triangles 4000 --frames 30 --seed 7 --out frames\n\n"
            "Frames are frame_0000.ply, frame_0001.ply, ...: binary PLY in doubles, free of intersections. The same\n"
-           "command goes on where an interrupted one stopped.";
+           "command continues an interrupted run.";
   }
   void declare(OptionList& options) override {
     std::string names;

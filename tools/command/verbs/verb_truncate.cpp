@@ -48,7 +48,7 @@ class Truncate final : public StepVerb {
     declare_output(options, out_, "write the positions, as PLY");
     options.add_number(
         "--keep", "F", keep_, {.least = 1e-6, .most = 1, .takes_most = false},
-        "every pair keeps at least F of its distance at START, with a minimum separation of what exceeds that; "
+        "every pair keeps at least F of its distance at START, beyond the minimum separation if there is one; "
         "default 0.1");
     start_check_.declare(options);
   }
@@ -78,7 +78,7 @@ class Truncate final : public StepVerb {
     }
     print_asked(detector);
     fmt::print(
-        "truncated       to {:.6g} of the way, that of all vertices added up; {}\n", part,
+        "truncated       to {:.6g} of the summed way of all vertices; {}\n", part,
         to.is_free ? "the straight way there is free, proven" : "something touches at the start, and comes no nearer");
     if (to.is_free) start_check_.print();
     if (!out_.empty()) fmt::print("written to      {}\n", printable(out_.string()));

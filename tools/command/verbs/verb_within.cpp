@@ -27,7 +27,7 @@ class Within final : public PoseVerb {
     PoseVerb::declare(options);
     declare_output(options, out_, "write the pairs, as CSV");
     options.add_number("--distance", "D", distance_, kNotNegative, "in the unit of the mesh").required();
-    detector_.declare_radius(options, "a distance is then what is left of it beyond the sum of both radii");
+    detector_.declare_radius(options, "a distance then counts beyond the sum of both radii");
   }
 
   int run() override {

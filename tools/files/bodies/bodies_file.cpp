@@ -110,7 +110,7 @@ class Parser {
       turn->fail("is neither shorter nor linear: correct it");
     for (const JsonValue& pose : poses->items("a list of poses, one a frame")) {
       if (body.turns_linearly && pose.has("quaternion"))
-        pose.fail("turn 'linear' is of rotation vectors: give 'rotation' in place of 'quaternion'");
+        pose.fail("turn 'linear' is of rotation vectors: give 'rotation' instead of 'quaternion'");
       body.poses.push_back(pose_from(pose));
     }
     count_frames(*poses, body.poses.size());

@@ -38,11 +38,9 @@ class CoarseEdges {
   std::string note() const {
     if (count_ == 0) return {};
     return fmt::format(
-        "coordinates are coarser than edges: {} numbers are up to {:.2g} apart here, and {} sides of triangles or "
-        "loose "
-        "edges are shorter than ten times that, the shortest {:.2g}: move the mesh to the origin before it is stored, "
-        "or "
-        "store doubles",
+        "coordinates are coarser than edges: {} numbers are up to {:.2g} apart here; {} sides of triangles or loose "
+        "edges are shorter than ten times that, the shortest {:.2g}. Move the mesh to the origin before it is stored, "
+        "or store doubles",
         mesh_.are_floats ? "float32" : "float64", spacing_, count_, shortest_);
   }
 

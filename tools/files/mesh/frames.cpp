@@ -85,11 +85,11 @@ bool natural_less(std::string_view a, std::string_view b) {
 
 std::vector<std::filesystem::path> paths_named(const std::string& name, const std::filesystem::path& folder) {
   std::error_code error;
-  const std::filesystem::path path = folder / system::path_of(name);
+  const std::filesystem::path given = system::path_of(name), path = folder / given;
   if (std::filesystem::exists(path, error)) return {path};
   // Folders at its front that exist are no pattern, whatever characters they have.
-  std::filesystem::path known = folder, pattern;
-  for (const auto& part : system::path_of(name))
+  std::filesystem::path known = folder / given.root_path(), pattern;
+  for (const auto& part : given.relative_path())
     if (pattern.empty() && std::filesystem::is_directory(known / part, error))
       known /= part;
     else

@@ -44,7 +44,7 @@ std::string advice_on(const std::filesystem::path& path) {
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
       if (word == extension) return std::string(format.advice);
   }
-  return "convert it, or let its name end as that of its format";
+  return "convert it, or give its name the ending of its format";
 }
 
 /// Text of 16-bit characters has a mark before it, or a zero byte beside each letter.

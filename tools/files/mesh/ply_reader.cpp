@@ -55,7 +55,7 @@ class BodyReader {
   }
 
   void begin_vertices(const PlyElement& vertex) {
-    mesh_.reserve_vertices(vertex.count);
+    mesh_.reserve_vertices(static_cast<std::size_t>(vertex.count));
     for (std::size_t i = 0; i < places_.size(); ++i)
       if (places_[i] != kSkipped && vertex.properties[i].type == PlyScalar::float32) mesh_.set_floats();
   }

@@ -13,7 +13,7 @@ namespace {
 
 [[noreturn]] void refuse_for_mesh(const std::filesystem::path& cache) {
   throw FileError(cache.string(), "",
-                  "a point cache says where vertices are, and not what they make: give it together with one mesh file, "
+                  "a point cache has positions and no faces: give it together with one mesh file, "
                   "as in mesh.obj cache.pc2");
 }
 

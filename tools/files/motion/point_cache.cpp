@@ -109,7 +109,7 @@ audit::FramePointer PointCache::what_is_left() {
   if (file_.peek() == std::ifstream::traits_type::eof()) return nullptr;
   audit::Frame frame{"rest", {}, mesh_};
   frame.problem =
-      fmt::format("the file goes on after the {} frames that its header names: export it again", header_.frames);
+      fmt::format("the file continues after the {} frames that its header names: export it again", header_.frames);
   return std::make_shared<const audit::Frame>(std::move(frame));
 }
 

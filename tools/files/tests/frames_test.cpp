@@ -78,7 +78,9 @@ TEST_F(FrameFiles, ANameThatExistsIsNoPattern) {
 
 // Bug: one that leads to itself ends in a sentence about memory and threads, and none of its name.
 TEST_F(FrameFiles, ALinkThatLeadsNowhereIsForTheReaderToRefuse) {
-  std::filesystem::create_symlink("f4.ply", folder_.path() / "f4.ply");
+  std::error_code error;
+  std::filesystem::create_symlink("f4.ply", folder_.path() / "f4.ply", error);
+  if (error) GTEST_SKIP() << "links cannot be made here: " << error.message();
   EXPECT_EQ(names_of(frame_files({folder_.path().string()}))[2], "f4.ply");
 }
 

@@ -67,7 +67,7 @@ void begin(const std::filesystem::path& folder, const std::string& name, const S
   const std::filesystem::path other = frame_path(folder, 1);
   if (std::filesystem::exists(other))
     throw Error(other.string() + " is there, but no " + state_path(folder).string() +
-                " to go on from: choose another folder, or remove its frames");
+                " to continue from: choose another folder, or remove its frames");
   write_frame(folder, simulator);
   write_state(folder, name, simulator);
 }

@@ -1,4 +1,4 @@
-"""Reads the frames of an .npz archive one after the other, so that it may be larger than the memory."""
+"""Reads the frames of an .npz archive one after the other. So it may be larger than the memory."""
 
 from __future__ import annotations
 

@@ -42,7 +42,7 @@ def audit(
 ) -> AuditReport:
     """Find the intersections in each frame of a recorded motion, and the contacts in each step between two frames.
 
-    Frames are read one after the other, and let go when they have been asked about. Threads ask about different frames.
+    Frames are read one after the other, and freed once they have been tested. Threads test different frames.
 
     Parameters
     ----------
@@ -61,19 +61,19 @@ def audit(
     mesh : Mesh, optional
         The mesh that moves, if the source has none.
     faces : array_like of int, shape (t, 3), optional
-        Its triangles, in place of `mesh`.
+        Its triangles, instead of `mesh`.
     objects : array_like of int, shape (n,), or dict, optional
         As in `Auditor`.
     min_separation, threads, intersections, contacts, ring_limit, listed_pairs, page_bytes
         As in `Auditor`. The report does not depend on the number of threads.
     progress : callable, optional
-        ``progress(frames)`` is called now and then with the number of frames that have been asked about.
+        ``progress(frames)`` is called now and then with the number of frames that have been tested.
 
     Returns
     -------
     AuditReport
-        Its `problems` name frames that cannot be used; a report with any is not free. Its `notes` name frames to which
-        no step leads, because the topology changes there, or the numbers in the names of files leap.
+        Its `problems` name frames that cannot be used; a report with any is not free. Its `notes` name frames that no
+        step leads to, because the topology changes there, or file numbers are missing.
 
     Raises
     ------
@@ -152,7 +152,7 @@ def _ask(source: Any, known: _Known, options: _core.AuditOptions) -> _core.Audit
     suffixes = {os.path.splitext(name)[1].lower() for name in names}
     if suffixes & {".usd", ".usda", ".usdc", ".usdz", ".gltf", ".glb", ".npz"}:
         if len(names) > 1:
-            raise Error(f"{names[0]} and {names[1]} are no frames of one motion: give one such file")
+            raise Error(f"{names[0]} and {names[1]} are not frames of one motion: give one such file")
         return _core.audit_frames(_frames_of_file(names[0], suffixes.pop(), known), options)
     return _ask_files(names, known, options)
 

@@ -1,4 +1,4 @@
-"""Joins meshes into one, in which each is an object with a name."""
+"""Joins meshes into one. Each becomes an object with a name."""
 
 from __future__ import annotations
 

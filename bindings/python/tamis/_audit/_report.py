@@ -13,17 +13,14 @@ from tamis._pages import Page, place_for_page, show
 
 
 class AuditReport:
-    """The findings in a motion, frame by frame. They own their memory.
+    """The findings in a motion, frame by frame. They own their memory."""
 
-    Attributes
-    ----------
-    frames : AuditFrames
-        One row a frame.
-    pairs : AuditPairs
-        The intersections and contacts, the first `listed_pairs` of them.
-    """
-
-    __slots__ = ("_facts", "_report", "frames", "pairs")
+    __slots__ = {
+        "_facts": "What the compiled part has found.",
+        "_report": "The compiled part's report.",
+        "frames": "`AuditFrames`: one row a frame.",
+        "pairs": "`AuditPairs`: the intersections and contacts, the first `listed_pairs` of them.",
+    }
 
     frames: AuditFrames
     pairs: AuditPairs
@@ -57,7 +54,7 @@ class AuditReport:
 
     @property
     def steps(self) -> AuditFrames:
-        """The rows of `frames` that have a step: one from the frame before was asked about."""
+        """The rows of `frames` that have a step: the step from the frame before was tested."""
         return self.frames[self.frames.has_step]
 
     @property
@@ -141,5 +138,5 @@ class AuditReport:
     def __repr__(self) -> str:
         frames, steps = len(self.frames), len(self.steps)
         found = f"{len(self.pairs) + self.pairs_left_out} pairs" if len(self.pairs) else "nothing found"
-        not_asked = f", frames that could not be asked: {len(self.problems)}" if self.problems else ""
-        return f"AuditReport({frames} frames, {steps} steps, {found}{not_asked}{', free' if self.is_free else ''})"
+        not_tested = f", frames that could not be tested: {len(self.problems)}" if self.problems else ""
+        return f"AuditReport({frames} frames, {steps} steps, {found}{not_tested}{', free' if self.is_free else ''})"

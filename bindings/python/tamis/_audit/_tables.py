@@ -20,7 +20,7 @@ Counts = npt.NDArray[np.uint64]
 
 
 class AuditKind(enum.IntEnum):
-    """Kinds of pairs in a report: those of `PairKind` for contacts, and EDGE_FACE for intersections."""
+    """Kinds of pairs in a report: the kinds of `PairKind` for contacts, and EDGE_FACE for intersections."""
 
     VERTEX_FACE = PairKind.VERTEX_FACE.value
     EDGE_EDGE = PairKind.EDGE_EDGE.value
@@ -70,7 +70,7 @@ class AuditPair(NamedTuple):
 
 
 class ObjectNames:
-    """The names of objects: lists of names, each valid from its first frame until that of the next list."""
+    """The names of objects: lists of names, each valid from its first frame until the next list begins."""
 
     __slots__ = ("_first_frames", "_names")
 
@@ -178,9 +178,9 @@ class AuditFrame(NamedTuple):
     name : str
         The source's name for the frame.
     is_usable : bool
-        Whether the frame could be asked about; if not, the report's `problems` say why.
+        Whether the frame could be tested; if not, the report's `problems` say why.
     has_step : bool
-        Whether a step from the frame before was asked about.
+        Whether the step from the frame before was tested.
     intersections : int
         The number of intersections in the frame.
     contacts : int
@@ -192,7 +192,7 @@ class AuditFrame(NamedTuple):
     toi_lower, toi_upper : float
         Bracket of the first contact, fractions of the step: it is free before `toi_lower`, proven. 1 if it is free.
     has_collapsed : bool
-        Whether all vertices of an object lie at one point or on one line; the report's `notes` say of which.
+        Whether all vertices of an object lie at one point or on one line; the report's `notes` name the object.
     """
 
     frame: int

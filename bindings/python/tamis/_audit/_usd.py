@@ -29,8 +29,8 @@ def read_usd(stage: str | os.PathLike[str] | Usd.Stage, *, prims: Sequence[str] 
     The frames are at the times at which points or transforms of a mesh are written. If something turns, scales, follows
     a spline or has a skin, they are also at the times of the stage's own frames (framesPerSecond). Each mesh is an
     object with its path as the name. Skinned meshes (UsdSkel) are baked in memory. Subdivision surfaces are taken as
-    their control meshes. Proxies, guides and invisible meshes are left out unless a path in `prims` names them. Point
-    instancers are always left out.
+    their control meshes. Proxies, guides and invisible meshes are skipped unless a path in `prims` names them. Point
+    instancers are always skipped.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ class _Meshes:
         self.prims, left_out = shown_meshes(self._stage, [root.GetPath() for root in roots])
         if not self.prims:
             raise FileError(f"{name}: {_why_no_mesh(left_out)}")
-        self._note = f"not asked about, {len(left_out)} prims: {', '.join(left_out[:3])}" if left_out else ""
+        self._note = f"skipped, {len(left_out)} prims: {', '.join(left_out[:3])}" if left_out else ""
         self.times = frame_times(self._stage, self.prims)
 
     def frames(self) -> Iterator[Frame]:

@@ -55,7 +55,7 @@ def _skinned(roots: list[Any]) -> list[Any]:
 
 
 def _bake(stage: Any, root: Any) -> None:
-    """Write the points of the meshes at each frame of the stage, as joints turn and points go on arcs between keys."""
+    """Write the points of the meshes at each frame of the stage: joints turn, points move on arcs between keys."""
     from pxr import Usd, UsdSkel
 
     cache, root = UsdSkel.Cache(), UsdSkel.Root(root)

@@ -15,7 +15,7 @@ def frame_times(stage: Any, meshes: list[Any]) -> list[Any]:
     """Return the times at which points or transforms of a mesh are written; the default time if there are none.
 
     Between two such times the stage interpolates, and points go straight. If anything turns, scales or follows a
-    spline, points go on curves: then the stage's frames between the first and the last time are added.
+    spline, points move on curves: then the stage's frames between the first and the last time are added.
     """
     from pxr import Usd
 
@@ -26,7 +26,7 @@ def frame_times(stage: Any, meshes: list[Any]) -> list[Any]:
 
 
 def played(stage: Any, times: list[float]) -> list[float]:
-    """Return these sorted times, and those of the stage's frames (framesPerSecond) between the first and the last."""
+    """Return these times and the stage's frames (framesPerSecond) between the first and the last, sorted."""
     if len(times) < 2:
         return times
     rate, codes = stage.GetFramesPerSecond(), stage.GetTimeCodesPerSecond()
@@ -66,7 +66,7 @@ def _bends(op: Any) -> bool:
 
 
 def _ops_above(mesh: Any) -> list[Any]:
-    """Return the transform operations that place a mesh: its own and those of the prims above it."""
+    """Return the transform operations that place a mesh: its own, and the operations of the prims above it."""
     from pxr import UsdGeom
 
     ops, prim = [], mesh.GetPrim()

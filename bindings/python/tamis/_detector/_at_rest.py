@@ -45,8 +45,8 @@ class AtRest:
     def intersections(self, positions: npt.ArrayLike) -> Intersections:
         """Find every edge that passes through a triangle or touches it, and shares no vertex with it. Decided exactly.
 
-        A mesh without triangles has no intersections. For curves in the plane that cross each other ask
-        ``contacts(x, x)``, which lists every pair that touches at x.
+        A mesh without triangles has no intersections. For curves in the plane that cross each other use ``contacts(x,
+        x)``, which lists every pair that touches at x.
 
         Parameters
         ----------
@@ -56,7 +56,7 @@ class AtRest:
         Returns
         -------
         Intersections
-            Sorted by edge, then face. `groups` with `may_touch`, and `rings`, leave out pairs; `filter`, `radii` and
+            Sorted by edge, then face. `groups` with `may_touch`, and `rings`, skip pairs; `filter`, `radii` and
             `min_separation` do not count.
 
         Raises
@@ -70,7 +70,7 @@ class AtRest:
         """Tell whether any edge passes through a triangle or touches it.
 
         No simulation should start from such a pose. Decided exactly; ends at the first intersection. For curves in the
-        plane ask ``is_free(x, x)``.
+        plane use ``is_free(x, x)``.
 
         Parameters
         ----------

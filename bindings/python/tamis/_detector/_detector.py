@@ -21,19 +21,19 @@ from tamis._tables._contacts import Contacts
 class Detector(InMotion, StepLengths, AtRest):
     """Holds a mesh and the hierarchy over it; keep one for all steps of a mesh.
 
-    The first question builds the hierarchy; later questions refit it, and rebuild it once refitting has made it poor.
+    The first question builds the hierarchy. Later questions refit it, and rebuild it once refitting has made it poor.
     Pairs are vertex-face and edge-edge; with loose edges and points also vertex-edge and vertex-vertex. Features with a
-    common vertex are no pair. The answers do not depend on the number of threads, on the machine, or on earlier
+    common vertex are not a pair. The answers do not depend on the number of threads, on the machine, or on earlier
     questions.
 
-    Questions take positions at the start and at the end of a step, shape (n, 3), one row a vertex; each vertex moves on
+    Questions take positions at the start and at the end of a step, shape (n, 3), one row a vertex. Each vertex moves on
     a straight line. Float64 arrays whose rows are contiguous, at any positive distance from each other, are read in
-    place; anything else that NumPy can convert is copied once. For motion on curves, `contacts`, `earliest` and
-    `is_free` take a `Path` in place of start and end.
+    place. Anything else that NumPy can convert is copied once. For motion on curves, `contacts`, `earliest` and
+    `is_free` take a `Path` instead of start and end.
 
     Other Python threads run during a question, and Ctrl-C ends it. A second question at the same time raises `Busy`.
-    Every question raises `InvalidStep` for positions that do not fit the mesh or are not finite, and `InvalidPath` for
-    a path that does not fit the mesh or breaks its promises.
+    Every question raises `InvalidStep` for positions that do not fit the mesh or are not finite. It raises
+    `InvalidPath` for a path that does not fit the mesh or breaks its promises.
 
     Parameters
     ----------
@@ -48,16 +48,16 @@ class Detector(InMotion, StepLengths, AtRest):
     groups : array_like of int, shape (n,), optional
         The group of each vertex, >= 0, such as the object it belongs to. A feature has the group of its first vertex.
     may_touch : array_like of bool, shape (g, g), optional
-        Symmetric; False leaves out the pairs of these two groups. ``~np.eye(g, dtype=bool)``: no self-contact.
+        Symmetric; False skips the pairs of these two groups. ``~np.eye(g, dtype=bool)``: no self-contact.
     radii : array_like of float, shape (g,), optional
         A radius >= 0 for each group: contact means a distance of at most `min_separation` plus both radii.
     filter : callable, optional
-        ``filter(kind, vertices)`` returns True for a pair that counts, False for a pair to leave out; any other answer
-        raises `InvalidOptions`. It is called for every pair that the groups do not leave out, from several threads,
-        one at a time. A call takes a microsecond; groups cost nothing.
+        ``filter(kind, vertices)`` returns True for a pair that counts, False for a pair to skip. Any other answer
+        raises `InvalidOptions`. It is called for every pair that the groups do not skip, from several threads, one at a
+        time. A call takes a microsecond; groups cost nothing.
     rings : int
-        >= 1: leaves out pairs whose features are fewer than this many edges apart along the mesh. 1 leaves out pairs
-        with a common vertex, which never count. Tested last, only for pairs that would be in the answer.
+        >= 1: skips pairs whose features are fewer than this many edges apart along the mesh. 1 skips pairs with a
+        common vertex, which never count. Tested last, only for pairs that would be in the answer.
     is_cancelled : callable, optional
         ``is_cancelled()`` is called some 20 times a second during a question. It returns True to end the question with
         `Cancelled`, else False; any other answer raises `InvalidOptions`.
@@ -65,7 +65,7 @@ class Detector(InMotion, StepLengths, AtRest):
     Raises
     ------
     InvalidMesh
-        `mesh` is no `Mesh`.
+        `mesh` is not a `Mesh`.
     InvalidOptions
         An option outside its range, an unknown name, an instruction set that this machine lacks, or groups or radii
         that do not fit the mesh or each other.

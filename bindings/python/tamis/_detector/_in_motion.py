@@ -63,7 +63,7 @@ class InMotion:
         start, end : array_like, shape (n, 3)
             Where each vertex is at the start and at the end of the step. Or a `Path` alone, for motion on curves.
         min_separation : float, optional
-            >= 0, in place of the detector's for this question alone.
+            >= 0, instead of the detector's for this question alone.
         at_start : str
             How to count pairs that touch at t=0: whose distance there is at most `min_separation` plus both radii.
             "report": they are contacts at t=0. "ignore": such a pair is a contact only when it touches again after it

@@ -29,22 +29,22 @@ class StepLengths:
         min_separation: float | None = None,
         at_start: AtStart = "report",
     ) -> SafeStep:
-        """Find how far the step may go so that every pair keeps a fraction of its distance.
+        """Find how far the step may go while every pair keeps a fraction of its distance.
 
         This is the step length for the line search of a barrier method. The distance that counts is what exceeds the
         minimum separation and both radii. The proof is about the straight motion: ``start + t * (end - start)`` is
-        rounded to doubles, and pairs that are a few units in the last place apart there may touch. So ask
-        ``is_free(start, positions)`` about the rounded positions, or `truncate`, whose positions are proven as they are
-        stored.
+        rounded to doubles, and pairs that are a few units in the last place apart there may touch. So query
+        ``is_free(start, positions)`` about the rounded positions, or use `truncate`. Its positions are proven as they
+        are stored.
 
         Parameters
         ----------
         start, end, min_separation
             As in `contacts`, for a step.
         keep : float
-            The fraction to keep, 0 <= keep < 1. Take 0.1 for a barrier's line search, whose next steps need space; 0.01
-            or less if a step should come near what it meets; 0.5 or more if distances may only shrink slowly. 0: only
-            contacts count. The closer to 1, the longer the search takes.
+            The fraction to keep, 0 <= keep < 1. Take 0.1 for a barrier's line search, whose next steps need space. Take
+            0.01 or less if a step should come near obstacles. Take 0.5 or more if distances may only shrink slowly. 0:
+            only contacts count. The closer to 1, the longer the search takes.
         at_start : str
             As in `contacts`. An ignored pair has no distance to keep: it ends the step where it touches again.
 
@@ -73,12 +73,12 @@ class StepLengths:
         at_start: AtStart = "report",
         stored: str = "float64",
     ) -> TruncatedStep:
-        """Find positions to go to so that every pair keeps a fraction of its distance; near pairs do not stop the rest.
+        """Find positions to go to: every pair keeps a fraction of its distance, and near pairs do not stop the rest.
 
         All vertices go together as long as every pair keeps a little more than the fraction. From there each vertex
-        goes on by itself, by at most a quarter of the mean edge, on its own side of planes between the features that it
-        could reach. A pair that starts within the minimum separation may move as long as it comes no nearer; if there
-        is one, no vertex goes farther than that quarter in all.
+        moves by itself, by at most a quarter of the mean edge. It stays on its own side of planes between the features
+        that it could reach. A pair that starts within the minimum separation may move as long as it comes no nearer; if
+        there is one, no vertex goes farther than that quarter in all.
 
         Parameters
         ----------
@@ -90,8 +90,8 @@ class StepLengths:
         at_start : str
             As in `contacts`. An ignored pair may move freely, but not apart and back.
         stored : str
-            The type in which you store positions, "float64" or "float32". With "float32" all positions are values of
-            float32: storing them so changes nothing, and the proof holds for what is stored.
+            The type of your stored positions, "float64" or "float32". With "float32" all positions are values of
+            float32: storing them so changes nothing, and the proof holds for the stored positions.
 
         Returns
         -------

@@ -34,7 +34,7 @@ class FunctionPath(Path):
     deviations : callable
         ``deviations(start, end, vertices)`` returns a bound for each vertex, shape (n,) or one number: its greatest
         distance, at any time between the two, from the point that goes along its chord at constant speed. The bound
-        must go to zero as the piece gets shorter; for smooth curves take |x''| (end - start)^2 / 8.
+        must go to zero as the piece gets shorter; for smooth curves take ``|x''| (end - start)^2 / 8``.
 
     Raises
     ------

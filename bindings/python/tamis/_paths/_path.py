@@ -14,7 +14,7 @@ from tamis._errors import InvalidPath
 
 
 class Path(abc.ABC):
-    """How all vertices move for t in [0, 1], on curves. `Detector.contacts` takes it in place of start and end.
+    """How all vertices move for t in [0, 1], on curves. `Detector.contacts` takes it instead of start and end.
 
     Ready-made: `RigidPath`, `BezierPath`, `CatmullRomPath`. For any other motion: `FunctionPath`.
     """
@@ -80,8 +80,8 @@ class BezierPath(CompiledPath):
 class CatmullRomPath(CompiledPath):
     """Through frames at equal distances of time, smoothly.
 
-    A cubic between two frames, with the slope (next - previous) / 2 at each frame; at the first and the last frame the
-    slope is that of the chord.
+    A cubic between two frames, with the slope (next - previous) / 2 at each frame; the first and the last frame have
+    the slope of the chord.
 
     Parameters
     ----------

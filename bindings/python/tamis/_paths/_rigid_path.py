@@ -65,7 +65,7 @@ def pose_of(rotation: npt.ArrayLike, position: npt.ArrayLike) -> Doubles:
     rotation : array_like, shape (n, 4), (n, 3, 3) or (n, 3)
         Quaternions w, x, y, z (for x, y, z, w, the order of SciPy and Bullet: ``q[:, [3, 0, 1, 2]]``), matrices by
         rows, or rotation vectors: axis times angle in radians. A quaternion or matrix that is off by rounding, at most
-        1e-4 in |q|^2 - 1 or an entry of R R^T - I, becomes the nearest rotation.
+        1e-4 in ``|q|^2 - 1`` or an entry of ``R R^T - I``, becomes the nearest rotation.
     position : array_like, shape (n, 3)
         Where each body's origin is. For one pose alone the shape is (3,), with a rotation of (4,), (3, 3) or (3,).
 

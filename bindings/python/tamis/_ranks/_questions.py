@@ -1,4 +1,4 @@
-"""Questions that all ranks ask together."""
+"""Questions that all ranks call together."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Questions:
-    """The questions of `tamis.distributed.Detector`, of which this is a base. All are collective."""
+    """The questions of `tamis.distributed.Detector` (this is a base of it). All are collective."""
 
     __slots__ = ()
     _lock: threading.Lock
@@ -47,7 +47,7 @@ class Questions:
         start, end : array_like, shape (n, 3)
             Where this rank's `vertices` are at the start and at the end of the step.
         min_separation : float, optional
-            >= 0, in place of the detector's for this question alone.
+            >= 0, instead of the detector's for this question alone.
         at_start : str
             "report" or "ignore", as in `tamis.Detector.contacts`.
 
@@ -144,7 +144,7 @@ class Questions:
         min_separation: float | None = None,
         at_start: AtStart = "report",
     ) -> SafeStep:
-        """Find how far the step may go so that every pair keeps a fraction of its distance. The same on every rank.
+        """Find how far the step may go while every pair keeps a fraction of its distance. The same on every rank.
 
         Parameters
         ----------

@@ -23,7 +23,7 @@ _left: dict[_Name, MPI.Intracomm] = {}
 
 
 class Ranks:
-    """A duplicate of a communicator, so that messages never mix with those of others. All calls are collective.
+    """A duplicate of a communicator: its messages never mix with other messages. All calls are collective.
 
     Making one frees the duplicates that all of their ranks have dropped.
     """

@@ -1,4 +1,4 @@
-"""Bases of tables of pairs: their common columns, and what is computed from these."""
+"""Bases of tables of pairs: their common columns, and values computed from these."""
 
 from __future__ import annotations
 

@@ -36,11 +36,11 @@ class Contact(NamedTuple):
         Contact weights. Vertex-face: point = (1-u-v) f0 + u f1 + v f2. Edge-edge: u on the first edge, v on the second,
         each in [0, 1]. Vertex-edge: u on the edge, v is 0. Vertex-vertex: both are 0.
     normal : tuple of three float
-        Unit vector: the direction in which the first feature (the vertex; the first edge) must go, or against which the
-        second must go, so that they part. With a separation or radii, and for vertex-edge and vertex-vertex: from the
-        second feature's closest point to the first's at `toi_lower`. Else the normal of the face, or the cross product
-        of both edges, on the side where the first feature is just before they touch; where there is no such normal, the
-        direction between the closest points.
+        Unit vector. To part the features, move the first one (the vertex; the first edge) along it, or the second one
+        against it. With a separation or radii, and for vertex-edge and vertex-vertex: from the second feature's closest
+        point to the first's at `toi_lower`. Else the normal of the face, or the cross product of both edges, on the
+        side where the first feature is just before they touch; where there is no such normal, the direction between the
+        closest points.
     certified : bool
         True: proven to touch. False, only on a path: arithmetic could not decide; such a pair is kept, because a
         contact must never be missed.
@@ -111,7 +111,7 @@ class Contacts(MovingPairs[Contact], TouchingPairs[Contact]):
         InvalidStep, InvalidPath
             As in `view`.
         Error
-            As in `view`; or a picture, ``.png``, is asked for, which only the page saves.
+            As in `view`; or a picture, ``.png``, is requested, which only the page saves.
         """
         name, rows = file_name(path, "path"), np.ascontiguousarray(self._table).view(np.uint8)
         if name.lower().endswith(".png"):
@@ -126,7 +126,7 @@ class Contacts(MovingPairs[Contact], TouchingPairs[Contact]):
 
         A notebook shows the page below the cell; elsewhere it opens in the browser. The page needs the positions of the
         question: `Contacts` refer to them without a copy, `table` does not. A path is shown as a film of straight
-        pieces, at most 64, enough of them to look like the curves; each contact is in the piece where it happens, at a
+        pieces, at most 64, enough of them to look like the curves. Each contact is in the piece where it happens, at a
         time of that piece.
 
         Parameters
@@ -158,8 +158,8 @@ class Contacts(MovingPairs[Contact], TouchingPairs[Contact]):
     def _question(self) -> Asked:
         if self._asked is None:
             raise Error(
-                "these contacts know no step, as they are of many ranks or were pickled: look at what "
-                "Detector.contacts(start, end) has returned"
+                "these contacts have no step, because they come from many ranks or were pickled: use the contacts "
+                "that Detector.contacts(start, end) returned"
             )
         return self._asked
 

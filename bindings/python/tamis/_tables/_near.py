@@ -30,7 +30,7 @@ class NearPair(NamedTuple):
         As in `Contact`.
     distance : float
         The distance between the closed features, in the unit of the positions. Proven: off by at most 2^-41 of the
-        largest |component| of the differences between the pair's vertices.
+        largest component of the differences between the pair's vertices.
     u, v : float
         Weights of two closest points, as in `Contact`. A vertex without a share in them has the weight 0.
     direction : tuple of three float
@@ -111,7 +111,7 @@ class Intersection(NamedTuple):
     Attributes
     ----------
     edge, face : tuple of int
-        Vertex indices: those of the edge ascending, those of the face in the mesh's order.
+        Vertex indices: the edge's ascending, the face's in the mesh's order.
     s_lower, s_upper : float
         The first common point along the edge, from ``edge[0]`` on, has a parameter s in [s_lower, s_upper]: the point
         is (1-s) e0 + s e1.
@@ -219,7 +219,5 @@ class Intersections(CrossingPairs[Intersection]):
         places = np.stack([known.find_edges(self.edge), known.find_faces(self.face)], axis=1)
         if (places < 0).any():
             first = self[int(np.argmax((places < 0).any(1)))]
-            raise InvalidMesh(
-                f"the mesh has no edge {first.edge} or no face {first.face}: give the mesh that was asked"
-            )
+            raise InvalidMesh(f"the mesh has no edge {first.edge} or no face {first.face}: give the mesh of the query")
         return places

@@ -26,7 +26,7 @@ def corners_at_rest(positions: Doubles, vertices: Indices, name: str) -> Corners
 
 
 def used_vertices(count: int, vertices: Indices, error: type[Error]) -> Indices:
-    """Return `vertices` with each pair's first vertex in place of unused entries; raise for an index >= `count`."""
+    """Return `vertices` with each pair's first vertex instead of unused entries; raise for an index >= `count`."""
     most = int(vertices.max(initial=-1))
     if most >= count:
         raise error(f"vertex {most} is none of the {count} that are given: give positions of all vertices of the mesh")

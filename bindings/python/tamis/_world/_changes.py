@@ -48,7 +48,7 @@ class Changes:
         Raises
         ------
         InvalidOptions
-            `shape` is no `Shape`.
+            `shape` is not a `Shape`.
         InvalidPath
             The motion has another shape or type, or numbers that are not finite.
         InvalidStep
@@ -65,7 +65,7 @@ class Changes:
         shape : Shape
             The shape of all bodies.
         motions : array_like, shape (n, 2, 3) or (n, links, 4, 3)
-            Poses, at which the bodies stay (`pose_of`), or chains, by which they move (`chain_between`).
+            Poses (`pose_of`): the bodies stay there. Or chains: the bodies move by them (`chain_between`).
 
         Returns
         -------
@@ -135,7 +135,7 @@ class Changes:
         self._world.remove(each_once(numbers_of(bodies)))
 
     def set_enabled(self, bodies: npt.ArrayLike, is_enabled: bool) -> None:
-        """Switch bodies off, so that they take no part in any question, or on again. Bodies begin switched on.
+        """Switch bodies off or on again. Bodies that are off take no part in any question. Bodies begin switched on.
 
         Parameters
         ----------

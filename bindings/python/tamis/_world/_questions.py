@@ -21,7 +21,7 @@ from tamis._world._tables import (
 
 
 class Questions:
-    """The questions of a `World`, of which this is a base."""
+    """The questions of a `World` (this is a base of it)."""
 
     __slots__ = ()
     _world: _core.World
@@ -38,7 +38,7 @@ class Questions:
         Parameters
         ----------
         min_separation : float, optional
-            >= 0, in place of the world's for this question alone.
+            >= 0, instead of the world's for this question alone.
         at_start : str
             As in `Detector.contacts`. If one of two bodies turns, "ignore" looks at certain times only: a pair counts
             from the first of them on at which it is proven apart (docs/worlds.md).
@@ -182,7 +182,7 @@ class Questions:
         at_start: AtStart = "report",
         tolerance: float | None = None,
     ) -> BodyStep:
-        """Find how far all bodies may go so that every pair keeps a fraction of its distance.
+        """Find how far all bodies may go while every pair keeps a fraction of its distance.
 
         Parameters
         ----------
@@ -215,8 +215,8 @@ class Questions:
         distance : float
             >= 0, in the unit of the points: pairs at most this far apart count. Both radii are added to it.
         include_static : bool
-            Also ask about two bodies that both stay at a pose, as before the first step. By default they are skipped,
-            even where they pass through each other.
+            Also test two bodies that both stay at a pose. Set it once, before the first step. By default they are
+            skipped, even where they pass through each other.
 
         Returns
         -------

@@ -34,7 +34,7 @@ class BodyContact(NamedTuple):
         The body of the first feature, then of the second. Of two edges the edge of the body with the smaller number is
         first.
     kind, vertices, toi_lower, toi_upper, u, v, normal, certified
-        As in `Contact`; vertices are those of the bodies' own meshes.
+        As in `Contact`; vertices are numbered in the bodies' own meshes.
     """
 
     bodies: BodyPair
@@ -56,7 +56,7 @@ class BodyNearPair(NamedTuple):
     bodies : tuple of two int
         As in `BodyContact`.
     kind, vertices, distance, u, v, direction
-        As in `NearPair`; vertices are those of the bodies' own meshes.
+        As in `NearPair`; vertices are numbered in the bodies' own meshes.
     """
 
     bodies: BodyPair
@@ -76,7 +76,7 @@ class BodyIntersection(NamedTuple):
     bodies : tuple of two int
         The body of the edge, then of the face.
     edge, face, s_lower, s_upper, u, v
-        As in `Intersection`; vertices are those of the bodies' own meshes.
+        As in `Intersection`; vertices are numbered in the bodies' own meshes.
     """
 
     bodies: BodyPair
@@ -106,7 +106,7 @@ class EarliestBodyContact(NamedTuple):
 
 @renamed(lower="toi_lower", upper="toi_upper")
 class BodyStep(NamedTuple):
-    """How far all bodies may go so that every pair keeps a fraction of its distance: as `SafeStep`.
+    """How far all bodies may go while every pair keeps a fraction of its distance: as `SafeStep`.
 
     Attributes
     ----------
@@ -151,7 +151,7 @@ class EarliestMany(NamedTuple):
 
 
 class OfBodies(Table[Row]):
-    """Tables of which each row is about two bodies."""
+    """Tables whose rows are about two bodies each."""
 
     __slots__ = ()
 

@@ -18,7 +18,7 @@ class World(Changes, Questions):
     During t in [0, 1] each body moves as it was told last. A body with a pose stays there; a body with a chain moves by
     it as a whole; each vertex of a `Deforming` body goes straight. Bodies that do not deform cost nothing to keep, and
     pairs of bodies that are far from each other next to nothing. If neither body of a pair turns, its contacts are
-    decided exactly, as those of a step. If one turns, they are those of a `Path`: proven free, certified with a bracket
+    decided exactly, as in a step. If one turns, they are answers about a `Path`: proven free, certified with a bracket
     no wider than the tolerance, or not certified.
 
     Other Python threads run during a question, and Ctrl-C ends it. A question or change during a question raises

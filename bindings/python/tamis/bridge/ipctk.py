@@ -48,7 +48,7 @@ def mesh(collision_mesh: ipctk.CollisionMesh) -> Mesh:
     Raises
     ------
     InvalidMesh
-        The argument is no `ipctk.CollisionMesh`, is two-dimensional, or has planes, which Tamis does not support.
+        The argument is not an `ipctk.CollisionMesh`, is two-dimensional, or has planes, which Tamis does not support.
     """
     return _known(collision_mesh).mesh
 

@@ -13,12 +13,12 @@ from tamis._tables._contacts import Contacts
 from tamis._tables._near import Intersections
 from tamis.mujoco._surfaces import Surface
 
-# Numbers in place of a body, which differ so that a vertex of no flex never meets a vertex of no geom.
+# Numbers instead of a body. They differ, so a vertex of no flex never meets a vertex of no geom.
 _OF_NO_FLEX, _OF_NO_GEOM = -1, -2
 
 
 class Pins:
-    """Leaves out pairs of a flex and a geom if a vertex of the flex' feature is carried by the geom's body.
+    """Skips pairs of a flex and a geom if a vertex of the flex' feature is carried by the geom's body.
 
     MuJoCo's `mj_collideGeomElem` does so. It does not for planes, nor for flexes whose vertices are moved by nodes.
     """

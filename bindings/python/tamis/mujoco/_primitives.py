@@ -56,7 +56,8 @@ def cylinder(radius: float, half_length: float, tolerance: float) -> Shape:
 def ellipsoid(half: Doubles, tolerance: float) -> Shape:
     """Return triangles around an ellipsoid with these half axes, shape (3,).
 
-    They are those of the ball with the largest half axis, shrunk along each axis: no two points come farther apart.
+    They are the triangles of the ball with the largest half axis, shrunk along each axis: no two points come farther
+    apart.
     """
     ball = capsule(float(half.max()), 0.0, tolerance)
     return Shape(ball.points * (half / half.max()), ball.faces)
@@ -65,7 +66,7 @@ def ellipsoid(half: Doubles, tolerance: float) -> Shape:
 def capsule(radius: float, half_length: float, tolerance: float) -> Shape:
     """Return triangles around a capsule along z, or a ball if `half_length` is 0.
 
-    The halves of the ball's triangles, moved apart, are no farther out than those of the ball.
+    The halves of the ball's triangles, moved apart, are no farther out than the ball's.
     """
     rings = 1
     while radius * (_size_around_ball(rings) - 1) > tolerance:
@@ -118,7 +119,7 @@ def _between_rings(ring: int, first: list[int]) -> list[tuple[int, int, int]]:
 
 
 def _size_around_ball(rings: int) -> float:
-    """Return the factor by which to scale the triangles so that all their planes lie outside the unit ball."""
+    """Return the factor that scales the triangles until all their planes lie outside the unit ball."""
     points, faces = _half_ball(rings)
     a, b, c = points[faces].transpose(1, 0, 2)
     normals = np.cross(b - a, c - a)

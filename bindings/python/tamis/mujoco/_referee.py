@@ -57,7 +57,7 @@ class Referee:
         d >= 0, in the model's unit of length: contact means Euclidean distance <= d.
     tolerance : float
         > 0, in the model's unit of length: the largest distance of triangles from the curved surface that they
-        surround. Take less than the radius of a flex, so that a flex at rest on the surface does not touch them.
+        surround. Take less than the radius of a flex: then a flex at rest on the surface does not touch them.
     plane_reach : float, optional
         > 0, in the model's unit of length: half the side of the square that stands for a plane. By default ten times
         the model's extent.
@@ -67,7 +67,7 @@ class Referee:
     Attributes
     ----------
     detector : Detector
-        The detector that is asked. Each surface is a group of it, with the surface's place in `names` as its number.
+        The detector that answers. Each surface is a group of it, with the surface's place in `names` as its number.
 
     Raises
     ------
@@ -123,11 +123,11 @@ class Referee:
         return self._places.points
 
     def restart(self) -> None:
-        """Go on from the present state. Call it after a reset, or when positions were set by hand."""
+        """Continue from the present state. Call it after a reset, or when positions were set by hand."""
         self._look()
 
     def intersections(self) -> Intersections:
-        """Find every intersection in the last state that was seen. Decided exactly. Ask before the first step."""
+        """Find every intersection in the last state that was seen. Decided exactly. Call it before the first step."""
         return self._pins.without_intersections(self.detector.intersections(self._places.points))
 
     def check(self) -> RefereedStep:
@@ -206,7 +206,7 @@ class Referee:
         step, passed = self._model.opt.timestep, end - start
         if not abs(passed - step) <= 1e-6 * step:
             raise InvalidStep(
-                f"the simulation has gone on by {passed:.9g} since it was looked at last, and a step takes {step:.9g}: "
+                f"the simulation advanced by {passed:.9g} since the last check, and a step takes {step:.9g}: "
                 "call check() after every mj_step, or restart() after a reset"
             )
         body = self._carriers.turned_too_far(self._data.qvel, step)

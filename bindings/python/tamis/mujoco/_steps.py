@@ -54,7 +54,7 @@ class RefereedStep(NamedTuple):
     start, end : float
         The simulated times of its ends, in seconds.
     contacts : Contacts
-        The contacts. Times are fractions of the step; vertices are those of `Referee.detector.mesh`.
+        The contacts. Times are fractions of the step; vertices are numbered as in `Referee.detector.mesh`.
     meetings : list of Meeting
         The same contacts by pairs of surfaces, the earliest first.
     """

@@ -134,8 +134,8 @@ def _shape(model: Any, geom: int, tolerance: float, plane_reach: float) -> Shape
     name = name_of(model, mujoco.mjtObj.mjOBJ_GEOM, geom)
     word = types(kind).name.removeprefix("mjGEOM_").lower()
     raise InvalidMesh(
-        f"{name} is a geom of the type {word}, which has no triangles here: give a mesh in its place, or take it out "
-        "of all contacts (contype and conaffinity 0)"
+        f"{name} is a geom of the type {word}, which has no triangles here: replace it by a mesh, or remove it "
+        "from all contacts (contype and conaffinity 0)"
     )
 
 

@@ -29,10 +29,10 @@ class Watch:
         self._known = [array[which].tobytes() for _, array, which in self._model + self._states[id(states[0])]]
 
     def require_same(self, state: Any) -> None:
-        """Raise if the model, or `state` with its kinematics computed, differs from what it was at first."""
+        """Raise if the model, or `state` with its kinematics computed, has changed since the start."""
         for (name, array, which), known in zip(self._model + self._states[id(state)], self._known):
             if array[which].tobytes() != known:
                 raise InvalidStep(
-                    f"{name} of what collides is not as it was when the referee was made: make another one after the "
-                    "model was changed"
+                    f"{name} of surfaces that collide has changed since the referee was made: make another one after "
+                    "each change of the model"
                 )

@@ -1,4 +1,4 @@
-"""Newton: Tamis in place of the self-contact detection of its VBD solver, so that cloth never passes through itself.
+"""Newton: Tamis instead of the self-contact detection of its VBD solver: cloth never passes through itself.
 
 ::
 

@@ -38,12 +38,12 @@ def attach(
     Returns
     -------
     Attachment
-        Reports what was done; its `detach` undoes `attach`.
+        Reports on the steps; its `detach` undoes `attach`.
 
     Raises
     ------
     InvalidOptions
-        An option outside its range; `solver` is no SolverVBD, has no self-contact, has a collision pipeline or an
+        An option outside its range; `solver` is not a SolverVBD, has no self-contact, has a collision pipeline or an
         attachment, or truncates rigid bodies, too.
     """
     _check_solver(solver)
@@ -73,7 +73,7 @@ class Attachment:
     Attributes
     ----------
     detector : Detector
-        The detector that is asked; its mesh has Newton's triangles, in their order.
+        The detector that answers; its mesh has Newton's triangles, in their order.
     report : AttachmentReport
         Counts and times so far.
     """
@@ -177,9 +177,9 @@ class Attachment:
     def _settle(self, state: Any) -> None:
         """Hold back vertices that would come too near to others on the way from the start of the step.
 
-        The last iteration needs it, as the step ends there. Iterations before are held back if any pair is near, so
-        that contact forces see positions at which nothing has passed through anything. If no pair is near, no vertex
-        goes half the way to another feature.
+        The last iteration needs it, as the step ends there. Iterations before are held back if any pair is near. So
+        contact forces see positions at which nothing has passed through anything. If no pair is near, no vertex goes
+        half the way to another feature.
         """
         if self._iterations_left > 0 and not self._is_near:
             return

@@ -1,4 +1,4 @@
-"""The lists of near pairs from which Newton sums contact forces, in arrays of exactly their size."""
+"""The lists of near pairs that Newton sums contact forces over, in arrays of exactly their size."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tamis.newton._surface import Surface, keys
 
 
 class ContactLists:
-    """Fills the solver's `TriMeshCollisionInfo`, without the pairs that Newton leaves out of its forces."""
+    """Fills the solver's `TriMeshCollisionInfo`, without the pairs that Newton skips in its forces."""
 
     def __init__(self, solver: Any, surface: Surface) -> None:
         self._solver = solver
@@ -26,7 +26,7 @@ class ContactLists:
         )
 
     def fill(self, near: NearPairs) -> None:
-        """Replace the lists by those of these pairs."""
+        """Replace the lists by lists of these pairs."""
         vertex_face, edge_edge = self._surface.pairs(self._beyond_rest(near))
         vertex_face = _without(vertex_face, self._without[0])
         edge_edge = _without(np.concatenate([edge_edge, edge_edge[:, ::-1]]), self._without[1])
@@ -59,7 +59,7 @@ class ContactLists:
 
 
 def _filtered(values: Any, offsets: Any) -> npt.NDArray[np.int64]:
-    """Return the sorted keys of the pairs that a filter of Newton's leaves out: row i has values[offsets[i]...]."""
+    """Return the sorted keys of the pairs that a filter of Newton's skips: row i has values[offsets[i]...]."""
     if values is None:
         return np.zeros(0, np.int64)
     rows = np.repeat(np.arange(len(offsets) - 1), np.diff(offsets.numpy()))

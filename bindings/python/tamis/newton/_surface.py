@@ -60,7 +60,7 @@ class Surface:
     def detector(self, *, one_ring: bool, min_separation: float, threads: int) -> Detector:
         """Return a detector of all pairs within one world; particles that are in all worlds belong to each of them.
 
-        Pairs are left out if no step moves any of their vertices.
+        Pairs are skipped if no step moves any of their vertices.
         """
         groups = 2 * (self._worlds + 1)  # world -1 is in all worlds
         groups[self.held] += 1  # if a feature's first vertex is held, no step moves any of its vertices
@@ -79,7 +79,7 @@ class Surface:
     def pairs(self, near: NearPairs) -> tuple[Indices, Indices]:
         """Return vertex and triangle of each vertex-face pair, and Newton's rows of both edges of each edge-edge pair.
 
-        Pairs with an edge of which Newton has no row are left out: such edges exert no force there.
+        Pairs are skipped if Newton has no row of their edge: such edges exert no force there.
         """
         features = near.features(self.mesh)
         edges = self._newton_edge[features[near.kind == PairKind.EDGE_EDGE]]

@@ -171,7 +171,7 @@ def test_what_is_no_single_step_is_refused() -> None:
     with pytest.raises(tamis.InvalidStep, match="call check\\(\\) after every mj_step"):
         referee.check()
     mujoco.mj_step(model, data, 2)
-    with pytest.raises(tamis.InvalidStep, match=r"has gone on by 0.1 .* a step takes 0.05"):
+    with pytest.raises(tamis.InvalidStep, match=r"advanced by 0.1 .* a step takes 0.05"):
         referee.check()
     mujoco.mj_resetData(model, data)
     referee.restart()

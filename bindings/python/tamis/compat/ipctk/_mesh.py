@@ -25,7 +25,7 @@ class CollisionMesh:
     rest_positions : array_like, shape (n, 3)
         Only the number of rows matters here.
     edges : array_like of int, shape (e, 2), optional
-        Edges of faces, and loose edges. They keep their order, which is not that of `tamis.Mesh.edges`.
+        Edges of faces, and loose edges. They keep their order, which differs from the order of `tamis.Mesh.edges`.
     faces : array_like of int, shape (f, 3), optional
         Vertex indices of each triangle.
 

@@ -51,7 +51,7 @@ class NarrowPhaseCCD:
         min_distance: float = 0.0,
         tmax: float = 1.0,
     ) -> tuple[bool, float]:
-        """Ask about a point and a triangle."""
+        """Decide a point and a triangle."""
         start = _stacked(p_t0=p_t0, t0_t0=t0_t0, t1_t0=t1_t0, t2_t0=t2_t0)
         end = _stacked(p_t1=p_t1, t0_t1=t0_t1, t1_t1=t1_t1, t2_t1=t2_t1)
         return self._found(PairKind.VERTEX_FACE, start, end, min_distance, tmax)
@@ -69,7 +69,7 @@ class NarrowPhaseCCD:
         min_distance: float = 0.0,
         tmax: float = 1.0,
     ) -> tuple[bool, float]:
-        """Ask about two edges."""
+        """Decide two edges."""
         start = _stacked(ea0_t0=ea0_t0, ea1_t0=ea1_t0, eb0_t0=eb0_t0, eb1_t0=eb1_t0)
         end = _stacked(ea0_t1=ea0_t1, ea1_t1=ea1_t1, eb0_t1=eb0_t1, eb1_t1=eb1_t1)
         return self._found(PairKind.EDGE_EDGE, start, end, min_distance, tmax)
@@ -85,7 +85,7 @@ class NarrowPhaseCCD:
         min_distance: float = 0.0,
         tmax: float = 1.0,
     ) -> tuple[bool, float]:
-        """Ask about a point and an edge."""
+        """Decide a point and an edge."""
         start = _stacked(p_t0=p_t0, e0_t0=e0_t0, e1_t0=e1_t0)
         end = _stacked(p_t1=p_t1, e0_t1=e0_t1, e1_t1=e1_t1)
         return self._found(PairKind.VERTEX_EDGE, start, end, min_distance, tmax)
@@ -99,7 +99,7 @@ class NarrowPhaseCCD:
         min_distance: float = 0.0,
         tmax: float = 1.0,
     ) -> tuple[bool, float]:
-        """Ask about two points."""
+        """Decide two points."""
         start = _stacked(p0_t0=p0_t0, p1_t0=p1_t0)
         end = _stacked(p0_t1=p0_t1, p1_t1=p1_t1)
         return self._found(PairKind.VERTEX_VERTEX, start, end, min_distance, tmax)

@@ -49,7 +49,7 @@ def compute_collision_free_stepsize(
     broad_phase: BroadPhase | None = None,
     narrow_phase_ccd: NarrowPhaseCCD | None = None,
 ) -> float:
-    """Return how far the step may go, in [0, 1], so that every pair keeps the narrow phase's `kept_fraction`.
+    """Return how far the step may go, in [0, 1], while every pair keeps the narrow phase's `kept_fraction`.
 
     It is proven that every pair keeps this fraction of its distance until then.
     """

@@ -127,7 +127,7 @@ def test_a_model_is_refused_if_what_collides_has_changed(field: str, what: str) 
     if what == "sign" and field != "geom_contype":
         assert referee.check().is_free
         return
-    with pytest.raises(tamis.InvalidStep, match="make another one after the model was changed"):
+    with pytest.raises(tamis.InvalidStep, match="make another one after each change of the model"):
         referee.check()
     with pytest.raises(tamis.InvalidStep, match="make another one"):
         referee.restart()

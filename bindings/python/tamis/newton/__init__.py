@@ -15,9 +15,9 @@ the clone). The functions that it replaces are private: the import fails if they
 """
 
 from tamis._versions import check_sources
-from tamis.newton import _inside
+from tamis.newton._inside import KNOWN, PACKAGE, TESTED
 
-check_sources(_inside.PACKAGE, _inside.TESTED, _inside.KNOWN, "tamis.newton")
+check_sources(PACKAGE, TESTED, KNOWN, "tamis.newton")
 
 from tamis.newton._attachment import Attachment, attach  # noqa: E402
 from tamis.newton._report import AttachmentReport  # noqa: E402

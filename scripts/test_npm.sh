@@ -16,12 +16,12 @@ cd "$work/user"
 echo '{"private": true, "type": "module"}' >package.json
 install --offline "$file"
 cp ../../../bindings/npm/tests/package_test.mjs node_modules/tamis/examples/hello.mjs .
-node hello.mjs | diff ../../../examples/output/hello.cpp.txt -
+node hello.mjs | diff ../../../examples/output/hello.mjs.txt -
 node --test package_test.mjs
 # A program that TypeScript accepts, but for what it says is wrong.
 cp ../../../bindings/npm/tests/types.ts .
 node ../../../tools/viewer/node_modules/typescript/bin/tsc --noEmit --strict --target es2022 --lib es2022,esnext.disposable,dom \
-  --module nodenext --moduleResolution nodenext --types "" types.ts
+  --module nodenext --moduleResolution nodenext types.ts
 # A module of another version is refused.
 sed -i 's/^export const version = .*/export const version = "99.0.0";/' node_modules/tamis/module.js
 ! node hello.mjs 2>refused.txt || { echo "test_npm.sh: a module of another version is taken" >&2; exit 1; }

@@ -40,7 +40,8 @@ void TamisBroadPhase::take_mesh(std::ptrdiff_t vertex_count, Eigen::ConstRef<Eig
   const auto same = [](const Eigen::MatrixXi& a, const auto& b) {
     return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
   };
-  if (detector_ && detector_->mesh().vertex_count() == vertex_count && same(edges_, edges) && same(faces_, faces)) return;
+  if (detector_ && detector_->mesh().vertex_count() == vertex_count && same(edges_, edges) && same(faces_, faces))
+    return;
   edges_ = edges;
   faces_ = faces;
   std::vector<bool> is_used(static_cast<std::size_t>(vertex_count));
@@ -55,7 +56,8 @@ void TamisBroadPhase::take_mesh(std::ptrdiff_t vertex_count, Eigen::ConstRef<Eig
   const tamis::Mesh mesh(static_cast<tamis::Index>(vertex_count), listed, rods, loose);
   given_.assign(mesh.edges().size(), -1);
   for (int i = 0; i < edges_.rows(); ++i)
-    if (const auto edge = mesh.find_edge(edges_(i, 0), edges_(i, 1)); edge >= 0) given_[static_cast<std::size_t>(edge)] = i;
+    if (const auto edge = mesh.find_edge(edges_(i, 0), edges_(i, 1)); edge >= 0)
+      given_[static_cast<std::size_t>(edge)] = i;
   detector_ = std::make_unique<tamis::Detector>(mesh);
 }
 
@@ -93,17 +95,20 @@ void TamisBroadPhase::detect_face_vertex_candidates(std::vector<FaceVertexCandid
 
 // Of one pose: the edges that pass through triangles.
 void TamisBroadPhase::detect_edge_face_candidates(std::vector<EdgeFaceCandidate>& candidates) const {
-  if (pose_.empty()) throw std::runtime_error("TamisBroadPhase: edge-face candidates are those of one pose: build it with one");
+  if (pose_.empty())
+    throw std::runtime_error("TamisBroadPhase: edge-face candidates are those of one pose: build it with one");
   for (const auto& [edge, face, s_lower, s_upper, u, v] : detector_->intersections(pose_)) {
     bool may = false;
     for (const int a : edge)
-      for (const int b : face) may = may || can_vertices_collide(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+      for (const int b : face)
+        may = may || can_vertices_collide(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
     if (may) candidates.emplace_back(edge_at(edge[0], edge[1]), detector_->mesh().find_face(face));
   }
 }
 
 void TamisBroadPhase::detect_face_face_candidates(std::vector<FaceFaceCandidate>&) const {
-  throw std::runtime_error("TamisBroadPhase: it has no face-face candidates: use edge-face candidates, or another broad phase");
+  throw std::runtime_error(
+      "TamisBroadPhase: it has no face-face candidates: use edge-face candidates, or another broad phase");
 }
 
 }  // namespace ipc

@@ -18,7 +18,7 @@ export interface MeshInput {
 export interface DetectorOptions {
   /** Contact means a distance of at most this. */
   minSeparation?: number;
-  /** The group of each vertex, in [0, groups), or -1 for a vertex that takes no part. */
+  /** The group of each vertex, in [0, groups), or -1 for a vertex of no face, edge or loose point. */
   groups?: ArrayLike<number>;
   /** For each pair of groups, row by row: 0 skips their pairs. */
   mayTouch?: ArrayLike<number>;

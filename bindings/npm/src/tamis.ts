@@ -15,13 +15,13 @@ import type { Module } from "./module.js";
 
 export { Rows } from "./answers.js";
 export type { Contact, Intersection, Kind, NearPair } from "./answers.js";
-export { Detector } from "./detector.js";
-export type { DetectorOptions, MeshInput, Positions, QueryOptions } from "./detector.js";
+export type { Detector, DetectorOptions, MeshInput, Positions, QueryOptions } from "./detector.js";
 export { TamisError } from "./memory.js";
 export type { Module } from "./module.js";
+export type { Tamis };
 
 /** The library, loaded, with memory of its own. */
-export class Tamis {
+class Tamis {
   /** @internal Use load(). */
   constructor(
     /** Every function of the C interface, with `_` before its name: for what Detector does not offer, such as worlds. */

@@ -5,7 +5,7 @@ import { createRequire } from "node:module";
 import { extname, join } from "node:path";
 
 const { chromium } = createRequire(new URL("../../../tools/viewer/", import.meta.url))("playwright-core");
-const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const executablePath = process.env.TAMIS_CHROMIUM ?? "/usr/bin/chromium";
 if (!existsSync(executablePath)) {
   console.log(`skipped: no Chromium in ${executablePath}`);
   process.exit(77);

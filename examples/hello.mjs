@@ -1,4 +1,3 @@
-// The README's example.
 import { load } from "tamis";
 
 const tamis = await load();

@@ -28,3 +28,6 @@ run() { (cd "$1" && cargo test --quiet --locked --offline --target-dir "$2" "${@
 run bindings/rust "$2"  # without the clamp, as most users have it
 run bindings/rust "$2" --features clamp
 run integrations/rapier "$2"
+# A library that calls itself another version: this function hides that of libtamis_c.
+echo 'const char* tamis_version(void) { return "99.0.0"; }' | ${CC:-cc} -shared -fPIC -x c -o "$2/libanother_version.so" -
+LD_PRELOAD=$2/libanother_version.so run bindings/rust "$2" --test another_version -- --ignored

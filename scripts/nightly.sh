@@ -15,7 +15,7 @@ run() { echo "nightly: $*"; "$@" || failed+=("$*"); }
 run scripts/setup.sh --blender  # the add-on's tests run in the program, too, if it is installed
 run scripts/test.sh --all
 run python3 scripts/build_host.py build/all/python blender
-run env TAMIS_WHEEL="$(ls build/all/python/dist/*.whl)" build/all/python/blender/bin/python -m pytest bindings/python/tests/hosts/test_blender.py
+run env TAMIS_WHEEL="$(ls build/all/python/dist/*.whl)" TAMIS_BACKEND="$(ls build/all/python/wheels/nanobind_backend-*.whl)" build/all/python/blender/bin/python -m pytest bindings/python/tests/hosts/test_blender.py
 run cmake --preset dev -B build/alone -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
 run cmake --build build/alone
 run scripts/check_tidy.sh build/all/tidy --all

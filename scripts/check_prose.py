@@ -60,7 +60,7 @@ GROUPS = {
     "pages for users": (is_page, Limits(44_000, 12.5, 2, 1)),
     "pages for contributors": (lambda path: path.startswith(FOR_CONTRIBUTORS) and path.endswith(".md"),
                                Limits(None, 13.5, 1.5, 0.5)),
-    "all documents": (lambda path: path.endswith(".md"), Limits(None, 13.5, 2, 1.5)),
+    "all documents": (lambda path: path.endswith(".md"), Limits(None, 13, 1.5, 1)),
     "comments of the public headers": (lambda path: re.match(r"include/.*\.hp?p?$", path), Limits(None, 11, 1.5, 1)),
     "comments of the library": (lambda path: re.match(r"src/.*\.[hc]pp$", path), Limits(None, 12, 1.5, 1)),
     "docstrings and comments of the Python module": (lambda path: re.match(r"bindings/python/tamis/.*\.py$", path),

@@ -1,6 +1,6 @@
 // Sampled checks by coal, with its trees of oriented boxes around triangles, and a tree of the obstacles' boxes.
-#include <ctime>
 #include <cmath>
+#include <ctime>
 #include <memory>
 
 #include "planners/scene.hpp"

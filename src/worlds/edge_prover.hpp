@@ -29,8 +29,8 @@ class EdgeProver {
   /// those that it carries are not Static.
   EdgeProver(const BodyList& bodies, const LinkageTree& tree, const std::set<BodyPair>& excluded, double separation);
 
-  /// `ends_at_collision`: stops at a proof that the edge is not free. Otherwise a pair that surely collides is open, and
-  /// other pairs are proven apart until then. Throws Cancelled.
+  /// `ends_at_collision`: stops at a proof that the edge is not free. Otherwise a pair that surely collides is open,
+  /// and other pairs are proven apart until then. Throws Cancelled.
   const ProvenEdge& run(std::span<const double> start, std::span<const double> end, bool ends_at_collision,
                         const Options& options);
 

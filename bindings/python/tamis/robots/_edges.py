@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Optional
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -24,7 +24,7 @@ class Edges(NamedTuple):
     is_free: npt.NDArray[np.bool_]
     fraction: Doubles
     overlaps_at_start: npt.NDArray[np.bool_]
-    pairs: list[Optional[tuple[str, str]]]
+    pairs: list[tuple[str, str] | None]
     points: Doubles
 
     def __repr__(self) -> str:
@@ -35,10 +35,10 @@ class TrajectoryAnswer(NamedTuple):
     """The first edge of a trajectory that is not free: its number, how far it is free, what touches there and where."""
 
     is_free: bool
-    edge: Optional[int]
+    edge: int | None
     fraction: float
-    pair: Optional[tuple[str, str]]
-    point: Optional[Doubles]
+    pair: tuple[str, str] | None
+    point: Doubles | None
 
 
 def overlaps(world: World, bodies: list[int], chain: Doubles, separation: float) -> bool:
@@ -52,7 +52,7 @@ def ask_edges(world: World, bodies: list[int], chains: Doubles, names: dict[int,
     found = world.earliest_many(bodies, chains)
     fraction, is_free = found.toi_lower.copy(), found.is_free.copy()
     inside = np.zeros(len(chains), bool)
-    pairs: list[Optional[tuple[str, str]]] = [None] * len(chains)
+    pairs: list[tuple[str, str] | None] = [None] * len(chains)
     points = np.full((len(chains), 3), np.nan)
     if not starts_are_valid:
         for i, chain in enumerate(chains):
@@ -69,5 +69,8 @@ def _place(world: World, bodies: list[int], chain: Doubles, contact: BodyContact
     """Return where the first body of a contact touches, in the world's frame."""
     world.move_many(bodies, chain)
     points = world.points_at(contact.bodies[0], contact.toi_lower)[0]
-    a = points[contact.vertices[0]]
-    return a + contact.u * (points[contact.vertices[1]] - a) if contact.kind == PairKind.EDGE_EDGE else a
+    a: Doubles = points[contact.vertices[0]]
+    if contact.kind != PairKind.EDGE_EDGE:
+        return a
+    between: Doubles = a + contact.u * (points[contact.vertices[1]] - a)
+    return between

@@ -265,8 +265,8 @@ class Robot:
         if long.any():
             place = tuple(np.argwhere(long)[0])
             raise InvalidPath(
-                f"the continuous joint {self.joints[place[-1]]!r} goes from {first[place]:.6g} to {last[place]:.6g}, by "
-                "more than half a turn: pass shorter_way(start, end) as the end, or whole_turns=True if it shall"
+                f"the continuous joint {self.joints[place[-1]]!r} goes from {first[place]:.6g} to {last[place]:.6g}, "
+                "by more than half a turn: pass shorter_way(start, end) as the end, or whole_turns=True if it shall"
             )
 
     def __repr__(self) -> str:
@@ -428,4 +428,6 @@ def _center(joints: list[Joint], joint: int) -> Doubles:
 def _padded(lists: list[list[int]], filler: int) -> Indices:
     """Return lists of one length as rows: the link number `filler` of a chain does nothing."""
     longest = max((len(entries) for entries in lists), default=0)
-    return np.array([entries + [filler] * (longest - len(entries)) for entries in lists], np.int32).reshape(len(lists), longest)
+    return np.array([entries + [filler] * (longest - len(entries)) for entries in lists], np.int32).reshape(
+        len(lists), longest
+    )

@@ -46,7 +46,9 @@ class Scene:
     def __init__(self, *robots: Robot, threads: int = 0, min_separation: float = 0.0) -> None:
         names = [instance(robot, Robot, "robots", "robots, as tamis.robots.load returns them").name for robot in robots]
         if not robots or len(set(names)) < len(names):
-            raise InvalidOptions(f"robots are called {', '.join(names) or 'nothing'}: give one or more, each another name")
+            raise InvalidOptions(
+                f"robots are called {', '.join(names) or 'nothing'}: give one or more, each another name"
+            )
         self.robots = robots
         self._separation = min_separation
         self.world = World(threads=threads, min_separation=min_separation)
@@ -58,6 +60,8 @@ class Scene:
         self.joints = tuple(f"{r.name}/{joint}" if several else joint for r in robots for joint in r.joints)
         self.limits = np.vstack([robot.limits for robot in robots])
         self.is_continuous = np.concatenate([robot.is_continuous for robot in robots])
+        home = np.clip(0.0, self.limits[:, 0], self.limits[:, 1])  # until a question moves them
+        self.world.move_many(self._bodies, self.chain(home, home))
 
     def _add_robot(self, robot: Robot, prefix: str) -> list[int]:
         bodies = {name: self.world.add(shape, _STILL) for name, shape in zip(robot.links, robot.shapes)}
@@ -74,7 +78,7 @@ class Scene:
 
     @property
     def open_bodies(self) -> list[str]:
-        """The links and obstacles whose surface is not closed: nothing is inside them, so they hide what they contain."""
+        """The links and obstacles whose surface is not closed: nothing counts as inside them."""
         return [name for body, name in self._names.items() if not self.world.is_closed(body)]
 
     def add(self, name: str, body: Any, motion: npt.ArrayLike | Deforming | None = None) -> int:
@@ -349,4 +353,6 @@ class Scene:
 
     def __repr__(self) -> str:
         obstacles = len(self._names) - len(self._bodies)
-        return f"Scene({', '.join(robot.name for robot in self.robots)}, {self.dimension} joints, {obstacles} obstacles)"
+        return (
+            f"Scene({', '.join(robot.name for robot in self.robots)}, {self.dimension} joints, {obstacles} obstacles)"
+        )

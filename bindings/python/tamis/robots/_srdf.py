@@ -26,5 +26,7 @@ def disabled_pairs(file: str | os.PathLike[str], links: Container[str]) -> list[
     for pair in pairs:
         for link in pair:
             if link not in links:
-                raise FileError(f"{name}: disables the link {link!r}, which the robot has not: give the robot's own SRDF")
+                raise FileError(
+                    f"{name}: disables the link {link!r}, which the robot has not: give the robot's own SRDF"
+                )
     return pairs

@@ -1,4 +1,4 @@
-"""Reads the joints and links of a URDF file. Whatever cannot be understood is refused, with the link's or joint's name."""
+"""Reads the joints and links of a URDF file. What cannot be understood is refused by a sentence that names it."""
 
 from __future__ import annotations
 
@@ -195,7 +195,9 @@ def _solid(collision: Element) -> Solid:
     if kind == "mesh":
         scale = shape.numbers("scale", (1, 3), (1, 1, 1)) * np.ones(3)
         if not scale.all():
-            raise collision.fail(f"has a mesh with the scale {shape.element.get('scale')!r}: give numbers that are not 0")
+            raise collision.fail(
+                f"has a mesh with the scale {shape.element.get('scale')!r}: give numbers that are not 0"
+            )
         return Solid(collision.place(), kind, scale, shape.word("filename"))
     if kind not in SHAPES:
         raise collision.fail(f"has a <{kind}> in <collision>: give a mesh, box, cylinder, capsule or sphere")

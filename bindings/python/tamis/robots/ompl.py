@@ -25,8 +25,15 @@ with needed("ompl", "tamis.robots.ompl"):
     from ompl import base as ob
     from ompl import geometric as og
 
-__all__ = ["MotionValidator", "configuration_of", "set_start_and_goal", "simple_setup", "space_of", "state_of",
-           "waypoints_of"]
+__all__ = [
+    "MotionValidator",
+    "configuration_of",
+    "set_start_and_goal",
+    "simple_setup",
+    "space_of",
+    "state_of",
+    "waypoints_of",
+]
 
 
 class MotionValidator(ob.MotionValidator):  # type: ignore[misc]

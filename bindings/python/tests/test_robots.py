@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 import pytest
-from conftest import CUBE, CUBE_FACES
+from conftest import CUBE, CUBE_FACES, at
 
 import tamis
 from tamis import robots
@@ -226,7 +226,7 @@ def test_files_that_are_no_robots(tmp_path: pathlib.Path, write: Write) -> None:
 
 def test_configurations_that_are_refused(write: Write, arm: robots.Robot) -> None:
     with pytest.raises(tamis.InvalidPath, match=r"joint 'elbow' is at 3\.5 in row 1 of end, beyond its limits -3 to 3"):
-        arm.chain([[0, 0], [0, 0]], [[0, 0], [0, 3.5]])
+        arm.chain(np.zeros((2, 2)), np.array([[0, 0], [0, 3.5]]))
     with pytest.raises(tamis.InvalidPath, match=r"give a number for each of the 2 joints \(shoulder, elbow\)"):
         arm.chain([0, 0, 0], [0, 0, 0])
     with pytest.raises(tamis.InvalidPath, match="start holds a number that is not finite"):
@@ -321,7 +321,7 @@ def test_obstacles_that_move_do_so_during_an_edge(arm: robots.Robot) -> None:
     ball = scene.add("ball", Cube(0.2, [0, 0, 0]), tamis.pose_of([0, 0, 0.0], [0, 1.0, 0]))
     still = [0.0, 0.0]
     assert scene.is_free(still, still)
-    scene.world.move(ball, tamis.interpolated_chain([[0.5, 1, 0], [0, 0, 0]], [[0.5, -1, 0], [0, 0, 0]]))
+    scene.world.move(ball, tamis.interpolated_chain(*at((0.5, 1, 0), (0.5, -1, 0))))
     assert not scene.is_free(still, still)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 import pathlib
 import sys
+from typing import Any
 
 import numpy as np
 import pytest
@@ -32,7 +33,7 @@ def needs(path: str) -> pathlib.Path:
     [
         ("panda_description/urdf/panda.urdf", 8, 11),
         ("allegro_hand_description/urdf/allegro_left_hand.urdf", 16, 21),
-        ("anymal_b_simple_description/robots/anymal.urdf", 12, 25),
+        ("anymal_b_simple_description/robots/anymal.urdf", 12, 22),
         ("so_arm_description/urdf/so100.urdf", 6, 5),
         ("g1_description/urdf/g1_29dof_with_hand_rev_1_0.urdf", 43, 46),
         ("pr2_description/urdf/pr2.urdf", 20, 32),
@@ -64,7 +65,7 @@ def test_panda_in_the_pose_of_its_srdf() -> None:
         scene.check([0, 1.7, 0, -3.0, 0, 0, 0])
 
 
-def wedge() -> trimesh.Trimesh:
+def wedge() -> Any:
     """Return a solid that no reflection maps to itself."""
     points = [[0, 0, 0], [3, 0, 0], [0, 2, 0], [0, 0, 1]]
     return trimesh.Trimesh(points, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
@@ -145,7 +146,5 @@ def test_without_trimesh_a_sentence_says_what_to_install(
     mesh = '<collision><geometry><mesh filename="w.stl"/></geometry></collision>'
     (tmp_path / "r.urdf").write_text(f'<robot name="r"><link name="base">{mesh}</link></robot>')
     monkeypatch.setitem(sys.modules, "trimesh", None)
-    with pytest.raises(
-        ModuleNotFoundError, match=r"tamis.robots needs trimesh\. trimesh is not installed: pip install"
-    ):
+    with pytest.raises(ModuleNotFoundError, match=r"tamis.robots needs trimesh\. trimesh is not installed"):
         robots.load(tmp_path / "r.urdf")

@@ -11,7 +11,7 @@ export DEBIAN_FRONTEND=noninteractive
 install() { apt-get install -q -y --no-install-recommends "$@" >/dev/null; }
 left_out=()
 work=$(mktemp -d)
-tar -C "$work" -xzf "$folder"/tamis-*.*.*[0-9].tar.gz
+tar -C "$work" -xzf "$folder"/tamis-*-sources.tar.gz
 sources=$(echo "$work"/tamis-*)
 
 by_pip() {

@@ -5,13 +5,13 @@
 
 #include "curves/motions/chain_motion.hpp"
 #include "search/bounds/box.hpp"
+#include "search/topology/points.hpp"
 
 namespace tamis {
 
 using Triangle = std::array<Point, 3>;
 
 inline double dot_of(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 inline Point cross_of(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

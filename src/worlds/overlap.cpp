@@ -7,17 +7,21 @@
 namespace tamis {
 
 bool World::has_overlap(const PoseOptions& asked) {
-  const State::QuestionTurn now(*this);
-  return now->has_intersection(asked) || now->has_containment(asked);
+  return State::QuestionTurn(*this)->overlapping_pair(asked).has_value();
 }
 
-bool World::State::has_containment(const PoseOptions& asked) {
+std::optional<BodyPair> World::State::overlapping_pair(const PoseOptions& asked) {
+  const auto pair = intersecting_pair(asked, Question::is_free);
+  return pair ? pair : enclosing_pair(asked);
+}
+
+std::optional<BodyPair> World::State::enclosing_pair(const PoseOptions& asked) {
   const NearDistance touching{.is_at_start = true, .include_static = asked.include_static};
   for (const auto& [a, b] : near_bodies(touching)) {
     stop_if_cancelled(options);
-    if (encloses(*bodies[at(a)], *bodies[at(b)]) || encloses(*bodies[at(b)], *bodies[at(a)])) return true;
+    if (encloses(*bodies[at(a)], *bodies[at(b)]) || encloses(*bodies[at(b)], *bodies[at(a)])) return BodyPair{a, b};
   }
-  return false;
+  return std::nullopt;
 }
 
 bool World::is_closed(BodyId body) const {

@@ -191,7 +191,9 @@ def _poses(given: npt.ArrayLike, count: int, name: str) -> Doubles:
     if array.size == 0 and count == 0:
         return np.empty((0, 2, 3))
     if array.shape[1:] != (2, 3):
-        raise InvalidPath(f"{name} has the shape {shape_text(array)}: give poses (n, 2, 3), as tamis.pose_of makes them")
+        raise InvalidPath(
+            f"{name} has the shape {shape_text(array)}: give poses (n, 2, 3), as tamis.pose_of makes them"
+        )
     return finite(doubles(_as_many(array, count, name)), name, InvalidPath)
 
 

@@ -13,7 +13,7 @@ from tamis._arrays import Doubles
 from tamis._checks import word
 from tamis._errors import InvalidOptions
 from tamis._world._bodies import Shape
-from tamis._world._linkage import Linkage
+from tamis._world._linkage import JointKind, Linkage
 from tamis.robots._coordinates import Coordinates
 from tamis.robots._frames import frame_of, moved, placed, pose_of_frame
 from tamis.robots._solids import shape_of
@@ -238,7 +238,8 @@ def linkage_of(robots: list[Robot], bodies: list[int]) -> Linkage:
 
     All frames are parallel at 0, so places only shift, and a chain has no link but its joints.
     """
-    parents, places, kinds, axes, coordinates = [-1], [np.zeros(3)], ["fixed"], [np.ones(3)], [-1]
+    parents, places, axes, coordinates = [-1], [np.zeros(3)], [np.ones(3)], [-1]
+    kinds: list[JointKind] = ["fixed"]
     factors, offsets, carriers, dimension = [1.0], [0.0], [], 0
     for robot in robots:
         before = len(parents)

@@ -15,7 +15,7 @@ run() { echo "nightly: $*"; "$@" || failed+=("$*"); }
 run scripts/setup.sh --blender  # the add-on's tests run in the program, too, if it is installed
 run scripts/test.sh --all
 run python3 scripts/build_host.py build/all/python blender
-run env TAMIS_WHEEL="$(ls build/all/python/dist/*.whl)" build/all/python/blender/bin/python -m pytest bindings/python/tests/hosts/test_blender.py
+run env TAMIS_WHEEL="$(ls build/all/python/dist/*.whl)" TAMIS_BACKEND="$(ls build/all/python/wheels/nanobind_backend-*.whl)" build/all/python/blender/bin/python -m pytest bindings/python/tests/hosts/test_blender.py
 run cmake --preset dev -B build/alone -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
 run cmake --build build/alone
 run scripts/check_tidy.sh build/all/tidy --all
@@ -31,9 +31,11 @@ done
 run scripts/setup.sh --packages
 run scripts/test_conan.sh
 run scripts/test_vcpkg.sh
+run scripts/test_crate.sh
+run scripts/test_npm.sh --bundler
 run scripts/release.sh "$(sed -n 's/^project(tamis VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)" build/release/nightly
 for release in trixie bookworm; do
-  run env TAMIS_DATA="$PWD/build/release/nightly" scripts/try_in_root.sh --data "$release" scripts/try_debs.sh ../shared/data
+  run env TAMIS_DATA="$PWD/build/release/nightly" scripts/try_in_root.sh --data "$release" scripts/try_release.sh ../shared/data
 done
 run scripts/sanitize.sh address
 run scripts/sanitize.sh thread

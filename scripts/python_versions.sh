@@ -14,8 +14,7 @@ for python in "$@"; do
   rm -rf "$work"
   "$python" -m venv "$work"
   quietly=("$work/bin/pip" --quiet --disable-pip-version-check)
-  # Newer versions of pyparsing warn about the last matplotlib for Python 3.9, and warnings are errors here.
-  "${quietly[@]}" install numpy pytest hypothesis pandas matplotlib 'pyparsing<3.3' scikit-build-core nanobind
+  "${quietly[@]}" install numpy pytest hypothesis pandas matplotlib scikit-build-core nanobind nanobind-backend
   wheel=$stable
   if [[ -z $wheel ]]; then
     "${quietly[@]}" wheel . --no-build-isolation --no-deps --wheel-dir "$work" --config-settings="cmake.define.TAMIS_BUILT=$build"

@@ -239,7 +239,7 @@ class World {
   /// Returns true if there is one.
   [[nodiscard]] bool has_intersection(const PoseOptions& = {});
   /// Tests whether two bodies overlap at t=0: there is an intersection, or a vertex of one lies inside another one. A
-  /// body inside another touches nothing, so every motion within it is free. Ask this of a planner's first
+  /// body inside another touches nothing, so every motion within it is free. Use it on a planner's first
   /// configuration. Decided exactly for the positions that `intersections` sees. Only closed parts have an inside
   /// (`is_closed`). Where a body's parts lie in each other, their winding numbers add up: a part with reversed faces is
   /// a cavity (docs/worlds.md, "Inside").

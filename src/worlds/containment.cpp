@@ -4,13 +4,14 @@
 
 #include "pair/exact/ray_crossing.hpp"
 #include "pair/exact/start_distance.hpp"
+#include "search/query/cancellation.hpp"
 #include "search/topology/at.hpp"
 #include "worlds/body_bounds.hpp"
 
 namespace tamis {
 namespace {
 
-/// A shape's seams are at rest. Those of a body that does not deform stay together.
+/// A shape's seams are at rest. The seams of a body that does not deform stay together.
 bool seams_hold(const Body& body) {
   return !body.deforming() || std::ranges::all_of(body.shape().closed_parts().seams, [&](const auto& seam) {
     return body.start_of(seam[0]) == body.start_of(seam[1]);
@@ -82,14 +83,17 @@ class InsideTest {
 
 bool is_closed(const Body& body) { return body.shape().closed_parts().is_closed() && seams_hold(body); }
 
-bool encloses(const Body& outer, const Body& inner) {
+bool encloses(const Body& outer, const Body& inner, const Options& options) {
   const auto is_near = [&](Index v) {
     const Point point = inner.start_of(v);
     return may_meet(outer.start_hull(), {point, point});
   };
   if (!outer.shape().closed_parts().encloses() || !seams_hold(outer)) return false;
-  return std::ranges::any_of(inner.shape().closed_parts().one_vertex_of_each,
-                             [&](Index v) { return is_near(v) && InsideTest(outer, inner.start_of(v)).run(); });
+  return std::ranges::any_of(inner.shape().closed_parts().one_vertex_of_each, [&](Index v) {
+    if (!is_near(v)) return false;
+    stop_if_cancelled(options);
+    return InsideTest(outer, inner.start_of(v)).run();
+  });
 }
 
 }  // namespace tamis

@@ -117,11 +117,14 @@ Gap gap_of(const Triangle& a, const Triangle& b) {
   Gap best{{1, 0, 0}, kNoGap};
   Point on_a = scaled(sum_of(sum_of(a[0], a[1]), a[2]), 1. / 3), on_b = closest_on(b, on_a);
   constexpr int kProjections = 4;
+  constexpr double kGoodPart = 0.9;  // of the distance, which no gap exceeds
   for (int i = 0; i < kProjections; ++i) {
     on_a = closest_on(a, on_b);
-    on_b = closest_on(b, on_a);
+    if (i > 0) on_b = closest_on(b, on_a);
+    const Point way = difference(on_b, on_a);
+    keep_wider(best, way, width_of);
+    if (best.width * best.width >= kGoodPart * kGoodPart * dot_of(way, way)) break;
   }
-  keep_wider(best, difference(on_b, on_a), width_of);
   if (best.width > 0) return best;
   std::array<Point, 3> sides_a, sides_b;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -142,8 +142,9 @@ void EdgeProver::find_pairs() {
 
 EdgeProver::Piece EdgeProver::piece_of(const Task& task, int level) {
   const Pair& pair = pairs_[task.pair];
-  Piece piece{&body_of(pair, false), &body_of(pair, true), {}, {}, {}, 0, level};
+  Piece piece{&body_of(pair, false), &body_of(pair, true), {}, {}, {}, 0, level, 0};
   const std::size_t half = std::size_t{1} << (kFinest - level - 1);
+  piece.middle = (2 * task.piece + 1) * half;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t time = (2 * task.piece + i) * half;
     piece.at_a[i] = &place_of(pair, false, time);
@@ -159,6 +160,7 @@ const ProvenEdge& EdgeProver::run(std::span<const double> start, std::span<const
                                   const Options& options) {
   stop_if_cancelled(options);
   ends_at_collision_ = ends_at_collision;
+  first_collision_ = kTimes;
   found_.collides = false;
   found_.open.clear();
   found_.at_start.clear();
@@ -183,20 +185,21 @@ const ProvenEdge& EdgeProver::run(std::span<const double> start, std::span<const
     front_.swap(next_);
     tasks_.swap(later_);
   }
-  for (const Task& task : tasks_) pairs_[task.pair].is_open = true;
+  for (const auto& [pair, piece, first, last] : tasks_)
+    if ((piece << (kFinest - kLastLevel - 1)) < first_collision_) pairs_[pair].is_open = true;
   conclude();
   return found_;
 }
 
 void EdgeProver::prove(const Task& task, int level) {
   now_ = &pairs_[task.pair];
-  if (now_->is_open) return;
+  if (now_->is_open || (task.piece << (kFinest - level)) >= first_collision_) return;
   const Piece piece = piece_of(task, level);
   const std::size_t first = next_.size();
   const Item root = front_[task.first];
   for (std::size_t i = task.first; i < task.last && !now_->is_open; ++i) {
     stack_.assign(1, front_[i]);
-    while (!stack_.empty() && !found_.collides) {
+    while (!stack_.empty() && !found_.collides && !now_->is_open) {
       const Item item = stack_.back();
       stack_.pop_back();
       visit(piece, item);
@@ -204,7 +207,7 @@ void EdgeProver::prove(const Task& task, int level) {
     if (found_.collides) return;
   }
   if (now_->visits > kMostVisits) now_->is_open = true;
-  if (now_->is_open) {
+  if (now_->is_open) {  // it may also be since it surely collides
     next_.resize(first);
   } else if (next_.size() == first) {
     const bool is_root =
@@ -217,18 +220,7 @@ void EdgeProver::prove(const Task& task, int level) {
 
 void EdgeProver::visit(const Piece& piece, const Item& item) {
   ++now_->visits;
-  if (item.a < 0) {
-    const Index a = -1 - item.a, b = -1 - item.b;
-    std::array<Triangle, 3> corners_a, corners_b;
-    for (std::size_t i = 0; i < 3; ++i) {
-      corners_a[i] = corners_at(*piece.a, *piece.at_a[i], a);
-      corners_b[i] = corners_at(*piece.b, *piece.at_b[i], b);
-    }
-    const double reach_a = MiddleBox(piece.a->shape().box_at_rest(a)).reach;
-    const double reach_b = MiddleBox(piece.b->shape().box_at_rest(b)).reach;
-    visit_items(piece, item, piece.deviation(reach_a, reach_b), corners_a, corners_b);
-    return;
-  }
+  if (item.a < 0) return visit_items(piece, item);
   const BodyShape &shape_a = piece.a->shape(), &shape_b = piece.b->shape();
   const MiddleBox a(shape_a.boxes[at(item.a)]), b(shape_b.boxes[at(item.b)]);
   const double deviation = piece.deviation(a.reach, b.reach);
@@ -242,7 +234,8 @@ void EdgeProver::visit(const Piece& piece, const Item& item) {
     if (piece.proves(dot_of(direction, way[0]) - balls, dot_of(direction, way[2]) - balls, deviation)) return;
   }
   const Gap gap = gap_of(a, piece.at_a[1]->place, b, piece.at_b[1]->place);
-  double loss = 0;
+  const Point moved = difference(way[2], way[0]);
+  double loss = std::sqrt(dot_of(moved, moved)) + deviation;
   if (gap.width > piece.separation) {
     std::array<double, 3> width{};
     for (const std::size_t i : {0, 2})
@@ -252,18 +245,65 @@ void EdgeProver::visit(const Piece& piece, const Item& item) {
     loss = gap.width - std::min(width[0], width[2]) + deviation;
   }
   now_->is_near = true;  // from here on not by whole bodies
-  const bool is_a_leaf = shape_a.tree.is_leaf(item.a), is_b_leaf = shape_b.tree.is_leaf(item.b);
   // Where most is lost by the motion, a shorter piece proves more than smaller boxes.
-  constexpr double kLargeLoss = 0.5;
-  if (gap.width > piece.separation && loss > kLargeLoss * std::max(a.radius, b.radius)) {
+  constexpr double kLargeLoss = 0.25, kLargeLossOfLeaves = 0.1;  // leaves have up to 256 pairs of items
+  const bool are_leaves = shape_a.tree.is_leaf(item.a) && shape_b.tree.is_leaf(item.b);
+  if (loss > (are_leaves ? kLargeLossOfLeaves : kLargeLoss) * std::max(a.radius, b.radius)) {
     next_.push_back(item);
-  } else if (is_a_leaf && is_b_leaf) {
+    if (gap.width <= 0) probe(piece, item);
+  } else if (are_leaves) {
     visit_leaves(piece, item);
-  } else if (is_b_leaf || (!is_a_leaf && a.radius >= b.radius)) {
-    shape_a.tree.for_each_child(item.a, [&](Index child) { stack_.push_back({child, item.b}); });
   } else {
-    shape_b.tree.for_each_child(item.b, [&](Index child) { stack_.push_back({item.a, child}); });
+    for_each_part(piece, item, a.radius >= b.radius, [&](const Item& part) { stack_.push_back(part); });
   }
+}
+
+/// Replaces the larger node by its children.
+template <class F>
+void EdgeProver::for_each_part(const Piece& piece, const Item& item, bool is_a_larger, const F& f) {
+  const BoxTree &tree_a = piece.a->shape().tree, &tree_b = piece.b->shape().tree;
+  if (tree_b.is_leaf(item.b) || (!tree_a.is_leaf(item.a) && is_a_larger))
+    tree_a.for_each_child(item.a, [&](Index child) { f(Item{child, item.b}); });
+  else
+    tree_b.for_each_child(item.b, [&](Index child) { f(Item{item.a, child}); });
+}
+
+/// Looks for triangles of both nodes that surely pass through each other in the middle of the piece.
+void EdgeProver::probe(const Piece& piece, const Item& item) {
+  if (found_.collides || now_->is_open) return;
+  ++now_->visits;
+  const BodyShape &shape_a = piece.a->shape(), &shape_b = piece.b->shape();
+  if (shape_a.tree.is_leaf(item.a) && shape_b.tree.is_leaf(item.b)) return probe_leaves(piece, item);
+  const double half_a = shape_a.boxes[at(item.a)].extent(), half_b = shape_b.boxes[at(item.b)].extent();
+  for_each_part(piece, item, half_a >= half_b, [&](const Item& part) {
+    const MiddleBox a(shape_a.boxes[at(part.a)]), b(shape_b.boxes[at(part.b)]);
+    if (gap_of(a, piece.at_a[1]->place, b, piece.at_b[1]->place).width <= 0) probe(piece, part);
+  });
+}
+
+void EdgeProver::probe_leaves(const Piece& piece, const Item& leaves) {
+  const auto items_a = piece.a->shape().tree.items_of(leaves.a), items_b = piece.b->shape().tree.items_of(leaves.b);
+  std::array<Triangle, kBlock> of_b;
+  std::array<Box, kBlock> box_b;
+  Box all_b;
+  for (std::size_t k = 0; k < items_b.size(); ++k) {
+    of_b[k] = corners_at(*piece.b, *piece.at_b[1], items_b[k]);
+    for (const Point& corner : of_b[k]) box_b[k].include(corner);
+    all_b.include(box_b[k]);
+  }
+  for (const Index item : items_a) {
+    const Triangle a = corners_at(*piece.a, *piece.at_a[1], item);
+    Box box;
+    for (const Point& corner : a) box.include(corner);
+    if (!may_meet(box, all_b)) continue;
+    for (std::size_t k = 0; k < items_b.size(); ++k)
+      if (may_meet(box, box_b[k]) && surely_meet(a, of_b[k], piece.margin[1])) return collide(piece);
+  }
+}
+
+void EdgeProver::collide(const Piece& piece) {
+  (ends_at_collision_ ? found_.collides : now_->is_open) = true;
+  first_collision_ = std::min(first_collision_, piece.middle);
 }
 
 Triangle EdgeProver::corners_at(const BodyOnEdge& body, const PlaceOnEdge& place, Index item) {
@@ -273,51 +313,51 @@ Triangle EdgeProver::corners_at(const BodyOnEdge& body, const PlaceOnEdge& place
   return found;
 }
 
-/// The hulls of the items on the piece are compared first, axis by axis.
+/// The hulls of the items on the piece are compared, axis by axis.
 void EdgeProver::visit_leaves(const Piece& piece, const Item& leaves) {
-  struct Placed {
-    std::array<Triangle, 3> corners;
+  const auto hull_of = [](const BodyOnEdge& body, const std::array<const PlaceOnEdge*, 3>& places, Index item) {
     Box hull;
-  };
-  const auto placed = [&](const BodyOnEdge& body, const std::array<const PlaceOnEdge*, 3>& places, Index item,
-                          double wider) {
-    Placed result;
-    for (std::size_t i = 0; i < 3; ++i) result.corners[i] = corners_at(body, *places[i], item);
     for (const std::size_t i : {0, 2})
-      for (const Point& corner : result.corners[i]) result.hull.include(corner);
-    result.hull.widen(wider);
-    return result;
+      for (const Point& corner : corners_at(body, *places[i], item)) hull.include(corner);
+    return hull;
   };
   const auto items_a = piece.a->shape().tree.items_of(leaves.a), items_b = piece.b->shape().tree.items_of(leaves.b);
   const double reach_a = MiddleBox(piece.a->shape().boxes[at(leaves.a)]).reach;
   const double reach_b = MiddleBox(piece.b->shape().boxes[at(leaves.b)]).reach;
   const double deviation = piece.deviation(reach_a, reach_b);
   const double wider = (piece.separation + deviation + std::max(piece.margin[0], piece.margin[2])) * kRoundedUp;
-  std::array<Placed, kBlock> of_b;
-  Box hull_b;
+  std::array<Box, kBlock> hull_b;
+  Box all_b;
   for (std::size_t k = 0; k < items_b.size(); ++k) {
-    of_b[k] = placed(*piece.b, piece.at_b, items_b[k], 0);
-    hull_b.include(of_b[k].hull);
+    hull_b[k] = hull_of(*piece.b, piece.at_b, items_b[k]);
+    all_b.include(hull_b[k]);
   }
   for (const Index item : items_a) {
-    const Placed a = placed(*piece.a, piece.at_a, item, wider);
-    if (!may_meet(a.hull, hull_b)) continue;
-    for (std::size_t k = 0; k < items_b.size() && !found_.collides; ++k)
-      if (may_meet(a.hull, of_b[k].hull))
-        visit_items(piece, {-1 - item, -1 - items_b[k]}, deviation, a.corners, of_b[k].corners);
+    Box hull = hull_of(*piece.a, piece.at_a, item);
+    hull.widen(wider);
+    if (!may_meet(hull, all_b)) continue;
+    for (std::size_t k = 0; k < items_b.size(); ++k)
+      if (may_meet(hull, hull_b[k])) stack_.push_back({-1 - item, -1 - items_b[k]});
   }
 }
 
-void EdgeProver::visit_items(const Piece& piece, const Item& items, double deviation, const std::array<Triangle, 3>& a,
-                             const std::array<Triangle, 3>& b) {
-  ++now_->visits;
-  const Gap gap = gap_of(a[1], b[1]);
-  if (gap.width > piece.separation &&
-      piece.proves(width_along(gap.direction, a[0], b[0]), width_along(gap.direction, a[2], b[2]), deviation))
-    return;
-  if (ends_at_collision_ && !(gap.width > 0) && surely_meet(a[1], b[1], piece.margin[1])) {
-    found_.collides = true;
-    return;
+void EdgeProver::visit_items(const Piece& piece, const Item& items) {
+  const Index item_a = -1 - items.a, item_b = -1 - items.b;
+  const auto corners = [&](std::size_t i) {
+    return std::pair(corners_at(*piece.a, *piece.at_a[i], item_a), corners_at(*piece.b, *piece.at_b[i], item_b));
+  };
+  const auto [a, b] = corners(1);
+  const Gap gap = gap_of(a, b);
+  if (gap.width > piece.separation) {
+    const double deviation = piece.deviation(MiddleBox(piece.a->shape().box_at_rest(item_a)).reach,
+                                             MiddleBox(piece.b->shape().box_at_rest(item_b)).reach);
+    const auto width_at = [&](std::size_t i) {
+      const auto [start, end] = corners(i);
+      return width_along(gap.direction, start, end);
+    };
+    if (piece.proves(width_at(0), width_at(2), deviation)) return;
+  } else if (!(gap.width > 0) && surely_meet(a, b, piece.margin[1])) {
+    return collide(piece);
   }
   next_.push_back(items);
 }

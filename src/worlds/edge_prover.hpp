@@ -29,7 +29,8 @@ class EdgeProver {
   /// those that it carries are not Static.
   EdgeProver(const BodyList& bodies, const LinkageTree& tree, const std::set<BodyPair>& excluded, double separation);
 
-  /// `ends_at_collision`: stops at a proof that the edge is not free. Throws Cancelled.
+  /// `ends_at_collision`: stops at a proof that the edge is not free. Otherwise a pair that surely collides is open,
+  /// and other pairs are proven apart until then. Throws Cancelled.
   const ProvenEdge& run(std::span<const double> start, std::span<const double> end, bool ends_at_collision,
                         const Options& options);
 
@@ -58,6 +59,7 @@ class EdgeProver {
     std::array<double, 3> margin;
     double separation;
     int level;
+    std::size_t middle;  ///< its time
 
     double deviation(double reach_a, double reach_b) const {
       return a->bend().deviation(reach_a, level) + b->bend().deviation(reach_b, level);
@@ -81,8 +83,12 @@ class EdgeProver {
   void prove(const Task& task, int level);
   void visit(const Piece& piece, const Item& item);
   void visit_leaves(const Piece& piece, const Item& leaves);
-  void visit_items(const Piece& piece, const Item& items, double deviation, const std::array<Triangle, 3>& a,
-                   const std::array<Triangle, 3>& b);
+  void visit_items(const Piece& piece, const Item& items);
+  template <class F>
+  void for_each_part(const Piece& piece, const Item& item, bool is_a_larger, const F& f);
+  void probe(const Piece& piece, const Item& item);
+  void probe_leaves(const Piece& piece, const Item& leaves);
+  void collide(const Piece& piece);
   static Triangle corners_at(const BodyOnEdge& body, const PlaceOnEdge& place, Index item);
   void conclude();
 
@@ -98,6 +104,7 @@ class EdgeProver {
   std::vector<std::vector<std::unique_ptr<BodyOnEdge>>> frames_;  ///< by frame + 1, then place in the linkage
   BodyTree still_;
   bool ends_at_collision_ = false;
+  std::size_t first_collision_ = kTimes;  ///< a time at which a pair surely collides
   std::vector<Pair> pairs_;
   std::vector<Item> front_, next_, stack_;
   std::vector<Task> tasks_, later_;

@@ -18,8 +18,9 @@ std::optional<BodyPair> World::State::overlapping_pair(const PoseOptions& asked)
 std::optional<BodyPair> World::State::enclosing_pair(const PoseOptions& asked) {
   const NearDistance touching{.is_at_start = true, .include_static = asked.include_static};
   for (const auto& [a, b] : near_bodies(touching)) {
+    const Body &first = *bodies[at(a)], &second = *bodies[at(b)];
     stop_if_cancelled(options);
-    if (encloses(*bodies[at(a)], *bodies[at(b)]) || encloses(*bodies[at(b)], *bodies[at(a)])) return BodyPair{a, b};
+    if (encloses(first, second, options) || encloses(second, first, options)) return BodyPair{a, b};
   }
   return std::nullopt;
 }

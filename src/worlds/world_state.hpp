@@ -85,10 +85,10 @@ struct World::State {
   bool ask_turning(Gathering& gathering, const BodyList& seen, const RigidChain& carrier,
                    const std::vector<BodyPair>& pairs, const NearDistance& distance, const PathOptions& asked,
                    const Ask& ask);
-  /// Calls ask(state of a detector, motion, options, whose) for each detector, until one call returns false: with a
-  /// Step and the gathered bodies that go straight; with a CutPath and those of which one turns, also in each frame of
-  /// bodies that turn together; with the Step and the number of each deforming body. `displacement_factor`: as in
-  /// NearDistance. Throws InvalidOptions.
+  /// Calls ask(state of a detector, motion, options, whose) for each detector, until one call returns false. Bodies
+  /// that go straight have a Step. Pairs with a body that turns have a CutPath, one more in each frame of bodies that
+  /// turn together. Each deforming body has its Step and its number. `displacement_factor`: as in NearDistance. Throws
+  /// InvalidOptions.
   template <class Ask>
   void for_each_moving(const PathOptions& asked, double displacement_factor, const Ask& ask);
   /// The same in the pose at t=0, for all items that come within the distance: ask(state of a detector, pose, whose).

@@ -28,6 +28,21 @@ def test_libraries_come_from_the_wheel() -> None:
     assert ours and all(pathlib.Path(path).parent == package.with_name("tamis.libs") for path in ours)
 
 
+@pytest.mark.parametrize(
+    ("before", "sentence"),
+    [
+        ("sys.modules['nanobind_backend'] = None", "'pip install nanobind-backend'"),
+        ("sys._tamis_version = '9.9.9'", "this process has loaded tamis 9.9.9 already: start a new process"),
+    ],
+)
+def test_a_module_that_cannot_work_says_why(before: str, sentence: str) -> None:
+    """Bugs: no word about the missing package; two versions share nanobind's classes."""
+    words = [sys.executable, "-c", f"import sys; {before}; import tamis"]
+    asked = subprocess.run(words, capture_output=True, text=True)
+    assert asked.returncode == 1
+    assert re.search(rf"^ImportError: .*{sentence}", asked.stderr, re.MULTILINE), asked.stderr
+
+
 def test_licences_are_inside() -> None:
     files = [str(file) for file in importlib.metadata.files("tamis") or []]
     licences = {pathlib.Path(name).name for name in files if "/licenses/" in name}
@@ -89,7 +104,7 @@ def test_knows_no_mpi() -> None:
 def test_metadata() -> None:
     assert importlib.metadata.version("tamis") == tamis.__version__
     requires = importlib.metadata.requires("tamis") or []
-    assert [needed for needed in requires if "extra ==" not in needed] == ["numpy>=1.21"]
+    assert [needed for needed in requires if "extra ==" not in needed] == ["numpy>=1.21", "nanobind-backend>=1.0"]
     assert pathlib.Path(tamis.__file__).with_name("py.typed").exists()
 
 

@@ -92,7 +92,7 @@ class FirstBadEdge(NamedTuple):
 
 
 class FreeRoadmap(NamedTuple):
-    """What is free of a roadmap. True is a proof.
+    """The free part of a roadmap. True is a proof.
 
     Attributes
     ----------
@@ -290,7 +290,7 @@ class EdgeQuestions:
         min_separation: float | None = None,
         tolerance: float | None = None,
     ) -> FreeRoadmap:
-        """Tell what is free of a whole roadmap.
+        """Decide which part of a whole roadmap is free.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""Robots with joints, from their URDF files, and the questions that planners ask about their motions.
+"""Robots with joints, from their URDF files, and the queries of planners about their motions.
 
 >>> robot = tamis.robots.load("panda.urdf", srdf="panda.srdf", held={"panda_finger_joint1": 0.04})
 >>> scene = tamis.robots.Scene(robot)

@@ -210,7 +210,7 @@ class Robot:
         InvalidOptions
             There is no such link, or the name is taken.
         InvalidMesh, InvalidPath
-            The body is no mesh, or the pose no pose.
+            The body is not a mesh, or the pose is not valid.
         """
         carrier = self._link(link)
         if any(word(name, "name") == other.name for other in self._links):

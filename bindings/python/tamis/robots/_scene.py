@@ -123,7 +123,7 @@ class Scene:
         InvalidOptions
             The name is taken.
         InvalidMesh, InvalidPath, InvalidStep
-            The body is no mesh, or the motion no motion.
+            The body is not a mesh, or the motion is not valid.
         """
         if word(name, "name") in self._names.values():
             raise InvalidOptions(f"name is {name!r}, which the scene has already: give another")

@@ -57,7 +57,7 @@ class FileJoint:
 
 @dataclass(frozen=True)
 class RobotFile:
-    """What a URDF file says about motion and collision. Joints stand after the joints that carry them."""
+    """Motion and collision of a URDF file. Joints stand after the joints that carry them."""
 
     name: str
     root: str

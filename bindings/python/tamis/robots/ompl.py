@@ -36,7 +36,7 @@ __all__ = [
 
 
 class MotionValidator(ob.MotionValidator):  # type: ignore[misc]
-    """Proves motions free. Its edges are those of `Scene.is_free`, on which each joint goes at constant speed.
+    """Proves motions free. It tests the edges of `Scene.is_free`. Each joint goes at constant speed.
 
     As OMPL has it, the start of a motion is valid already: `simple_setup` tests states by `Scene.is_valid`.
 

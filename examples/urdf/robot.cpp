@@ -19,9 +19,20 @@ tamis::Shape shape_of(const urdf::Link& link) {
     throw std::runtime_error("link " + link.name + " is more than one box: this example reads one box a link");
   std::vector<tamis::Point> corners;
   for (int i = 0; i < 8; ++i)
-    corners.push_back({box->dim.x * ((i & 4) / 4 - 0.5), box->dim.y * ((i & 2) / 2 - 0.5), box->dim.z * ((i & 1) - 0.5)});
-  return {tamis::Mesh(8, {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
-                          {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}}),
+    corners.push_back(
+        {box->dim.x * ((i & 4) / 4 - 0.5), box->dim.y * ((i & 2) / 2 - 0.5), box->dim.z * ((i & 1) - 0.5)});
+  return {tamis::Mesh(8, {{0, 1, 3},
+                          {0, 3, 2},
+                          {4, 6, 7},
+                          {4, 7, 5},
+                          {0, 4, 5},
+                          {0, 5, 1},
+                          {2, 3, 7},
+                          {2, 7, 6},
+                          {0, 2, 6},
+                          {0, 6, 4},
+                          {1, 5, 7},
+                          {1, 7, 3}}),
           corners};
 }
 
@@ -43,9 +54,13 @@ class Robot {
     if (!moves && joint.type != urdf::Joint::FIXED)
       throw std::runtime_error("joint " + joint.name + " floats: this example reads joints with one number");
     if (joint.mimic) throw std::runtime_error("joint " + joint.name + " mimics another: give both one coordinate");
-    joints_.push_back({parent, pose_of(joint.parent_to_joint_origin_transform),
-                       !moves ? tamis::JointKind::fixed : turns ? tamis::JointKind::turning : tamis::JointKind::sliding,
-                       {joint.axis.x, joint.axis.y, joint.axis.z}, moves ? coordinates_++ : -1});
+    joints_.push_back({parent,
+                       pose_of(joint.parent_to_joint_origin_transform),
+                       !moves  ? tamis::JointKind::fixed
+                       : turns ? tamis::JointKind::turning
+                               : tamis::JointKind::sliding,
+                       {joint.axis.x, joint.axis.y, joint.axis.z},
+                       moves ? coordinates_++ : -1});
     const auto number = static_cast<tamis::Index>(joints_.size() - 1);
     const auto link = model.getLink(joint.child_link_name);
     if (link->collision) {

@@ -1,4 +1,5 @@
-// OMPL with Tamis: states without overlap, and motions that are proven. For Debian's libompl-dev; Python has tamis.robots.ompl.
+// OMPL with Tamis: states without overlap, and motions that are proven. For Debian's libompl-dev; Python has
+// tamis.robots.ompl.
 #pragma once
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/SpaceInformation.h>
@@ -68,8 +69,8 @@ class MotionValidator : public ompl::base::MotionValidator {
   /// The last valid state is a little before the contact, where the motion is proven free.
   bool checkMotion(const ompl::base::State* from, const ompl::base::State* to,
                    std::pair<ompl::base::State*, double>& last_valid) const override {
-    const EdgeAnswer answer = planned_.world.last_valid(planned_.linkage, planned_.numbers(from),
-                                                        planned_.numbers(to), planned_.options)[0];
+    const EdgeAnswer answer =
+        planned_.world.last_valid(planned_.linkage, planned_.numbers(from), planned_.numbers(to), planned_.options)[0];
     if (!answer.is_free()) {
       last_valid.second = answer.fraction * (1 - 1e-6);
       if (last_valid.first) si_->getStateSpace()->interpolate(from, to, last_valid.second, last_valid.first);

@@ -1,6 +1,4 @@
 // Plans by OMPL, whose every edge Tamis has proven.
-#include "integrations/ompl/motion_validator.hpp"
-
 #include <gtest/gtest.h>
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/goals/GoalState.h>
@@ -17,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "integrations/ompl/motion_validator.hpp"
 #include "tamis/tamis.hpp"
 
 namespace tamis::planning {

@@ -1,14 +1,16 @@
-// sampler SCENE FLAGS: sampled checks of edges by coal and FCL, and the truth by an independent route.
+// sampler SCENE FLAGS: sampled checks of edges by coal, and the truth by an independent route. Compiled with WITH_FCL:
+// sampled checks by FCL alone (both packages have an octomap of their own, which one process cannot hold).
 //
-// The truth: for each pair of bodies coal's distance at a time, divided by a bound of their relative speed, is how far the pair may
-// go on. An edge is free if all pairs reach its end, and collides if a state on the way does. Where the distance falls below kNear
-// and no state collides, the edge is left open. Prints a line for each method: its name, seconds, and the answers are in FLAGS, a
-// byte an edge and method: 0 free, 1 collides, 2 open.
+// The truth: for each pair of bodies coal's distance at a time, divided by a bound of their relative speed, is how far
+// the pair may go on. An edge is free if all pairs reach its end, and collides if a state on the way does. Where the
+// distance falls below kNear and no state collides, the edge is left open. Prints a line for each method: its name,
+// seconds, and the answers are in FLAGS, a byte an edge and method: 0 free, 1 collides, 2 open.
+#ifdef WITH_FCL
+#include <fcl/fcl.h>
+#else
 #include <coal/BVH/BVH_model.h>
 #include <coal/collision.h>
 #include <coal/distance.h>
-#ifdef HAS_FCL
-#include <fcl/fcl.h>
 #endif
 
 #include <algorithm>
@@ -100,7 +102,8 @@ Scene read_scene(const char* name) {
 class Edge {
  public:
   Edge(const Scene& scene, std::int64_t number)
-      : scene_(scene), start_(&scene.starts[static_cast<std::size_t>(number * scene.dimension)]),
+      : scene_(scene),
+        start_(&scene.starts[static_cast<std::size_t>(number * scene.dimension)]),
         end_(&scene.ends[static_cast<std::size_t>(number * scene.dimension)]) {}
 
   double value(const Joint& joint, double time) const {
@@ -116,7 +119,8 @@ class Edge {
       const Place parent = joint.parent < 0 ? Place{} : places_[static_cast<std::size_t>(joint.parent)];
       const double v = value(joint, time);
       const Vector shift = joint.turns ? joint.shift : Vector(joint.shift + v * joint.axis);
-      places_[k].turn = joint.turns ? Matrix(parent.turn * Eigen::AngleAxisd(v, joint.axis).toRotationMatrix()) : parent.turn;
+      places_[k].turn =
+          joint.turns ? Matrix(parent.turn * Eigen::AngleAxisd(v, joint.axis).toRotationMatrix()) : parent.turn;
       places_[k].shift = parent.turn * shift + parent.shift;
     }
     return places_;
@@ -155,6 +159,39 @@ class Edge {
   std::vector<Place> places_;
 };
 
+#ifdef WITH_FCL
+struct Fcl {
+  static constexpr const char* name = "FCL";
+  using Model = fcl::BVHModel<fcl::OBBRSSd>;
+  std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects;
+
+  explicit Fcl(const Scene& scene) {
+    for (const Body& body : scene.bodies) {
+      auto model = std::make_shared<Model>();
+      std::vector<fcl::Vector3d> points(body.points.begin(), body.points.end());
+      std::vector<fcl::Triangle> faces;
+      for (const auto& f : body.faces)
+        faces.emplace_back(static_cast<std::size_t>(f[0]), static_cast<std::size_t>(f[1]),
+                           static_cast<std::size_t>(f[2]));
+      model->beginModel(static_cast<int>(faces.size()), static_cast<int>(points.size()));
+      model->addSubModel(points, faces);
+      model->endModel();
+      model->computeLocalAABB();
+      objects.push_back(std::make_unique<fcl::CollisionObjectd>(model));
+      objects.back()->computeAABB();
+    }
+  }
+  void place(std::size_t body, const Place& p) {
+    objects[body]->setTransform(p.turn, p.shift);
+    objects[body]->computeAABB();
+  }
+  bool collides(std::size_t a, std::size_t b) const {
+    if (!objects[a]->getAABB().overlap(objects[b]->getAABB())) return false;
+    fcl::CollisionResultd result;
+    return fcl::collide(objects[a].get(), objects[b].get(), fcl::CollisionRequestd(), result) > 0;
+  }
+};
+#else
 struct Coal {
   static constexpr const char* name = "coal";
   using Model = coal::BVHModel<coal::OBBRSS>;
@@ -187,38 +224,6 @@ struct Coal {
   double distance(std::size_t a, std::size_t b) const {
     coal::DistanceResult result;
     return coal::distance(objects[a].get(), objects[b].get(), coal::DistanceRequest(), result);
-  }
-};
-
-#ifdef HAS_FCL
-struct Fcl {
-  static constexpr const char* name = "FCL";
-  using Model = fcl::BVHModel<fcl::OBBRSSd>;
-  std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects;
-
-  explicit Fcl(const Scene& scene) {
-    for (const Body& body : scene.bodies) {
-      auto model = std::make_shared<Model>();
-      std::vector<fcl::Vector3d> points(body.points.begin(), body.points.end());
-      std::vector<fcl::Triangle> faces;
-      for (const auto& f : body.faces)
-        faces.emplace_back(static_cast<std::size_t>(f[0]), static_cast<std::size_t>(f[1]), static_cast<std::size_t>(f[2]));
-      model->beginModel(static_cast<int>(faces.size()), static_cast<int>(points.size()));
-      model->addSubModel(points, faces);
-      model->endModel();
-      model->computeLocalAABB();
-      objects.push_back(std::make_unique<fcl::CollisionObjectd>(model));
-      objects.back()->computeAABB();
-    }
-  }
-  void place(std::size_t body, const Place& p) {
-    objects[body]->setTransform(p.turn, p.shift);
-    objects[body]->computeAABB();
-  }
-  bool collides(std::size_t a, std::size_t b) const {
-    if (!objects[a]->getAABB().overlap(objects[b]->getAABB())) return false;
-    fcl::CollisionResultd result;
-    return fcl::collide(objects[a].get(), objects[b].get(), fcl::CollisionRequestd(), result) > 0;
   }
 };
 #endif
@@ -270,14 +275,17 @@ template <class Package>
 void sample(const Scene& scene, int states) {
   Package package(scene);
   const std::vector<int> order = bisected(states - 1);
-  report(std::string(Package::name) + ", " + std::to_string(states) + " states",
-         [&](std::int64_t i) {
-           Edge edge(scene, i);
-           return std::ranges::any_of(order, [&](int k) { return collides(scene, edge, k / double(states - 1), package); });
-         },
-         scene.edges);
+  report(
+      std::string(Package::name) + ", " + std::to_string(states) + " states",
+      [&](std::int64_t i) {
+        Edge edge(scene, i);
+        return std::ranges::any_of(order,
+                                   [&](int k) { return collides(scene, edge, k / double(states - 1), package); });
+      },
+      scene.edges);
 }
 
+#ifndef WITH_FCL
 /// 0: this pair is free all along. 1: it collides at a state. 2: it comes nearer than kNear, and no state collides.
 int truth_of(const Scene& scene, Edge& edge, std::int64_t a, std::int64_t b, Coal& coal) {
   const double speed = edge.speed(a, b);
@@ -305,6 +313,7 @@ int truth(const Scene& scene, std::int64_t number, Coal& coal) {
   }
   return worst;
 }
+#endif
 
 }  // namespace
 
@@ -312,10 +321,12 @@ int main(int count, char** names) {
   if (count != 3) return 2;
   const Scene scene = read_scene(names[1]);
   flags.open(names[2], std::ios::binary);
-  for (const int states : {10, 100, 1000}) sample<Coal>(scene, states);
-#ifdef HAS_FCL
+#ifdef WITH_FCL
   for (const int states : {10, 100}) sample<Fcl>(scene, states);
-#endif
+#else
+  for (const int states : {10, 100, 1000}) sample<Coal>(scene, states);
   Coal coal(scene);
-  report("truth", [&](std::int64_t i) { return truth(scene, i, coal); }, scene.edges);
+  report(
+      "truth", [&](std::int64_t i) { return truth(scene, i, coal); }, scene.edges);
+#endif
 }

@@ -23,24 +23,6 @@ done
 packages=$PWD/build/windows-packages
 export WINEDEBUG=-all WINEPREFIX=$packages/wine
 
-# header_only PACKAGE TARGET DEBIAN_PACKAGE FOLDER [DEFINITION]: the host's header-only library, away from the host's C
-# library, with files for CMake.
-header_only() {
-  local cmake=$packages/lib/cmake/$1
-  mkdir -p "$cmake" "$packages/include"
-  ln -s "/usr/include/$4" "$packages/include/"
-  cat >"$cmake/$1Config.cmake" <<END
-if(NOT TARGET $2)
-  add_library($2 INTERFACE IMPORTED)
-endif()
-set_target_properties($2 PROPERTIES INTERFACE_INCLUDE_DIRECTORIES $packages/include INTERFACE_COMPILE_DEFINITIONS "${5:-}")
-END
-  cat >"$cmake/$1ConfigVersion.cmake" <<END
-set(PACKAGE_VERSION $(dpkg-query -W -f='${source:Upstream-Version}' "$3"))
-set(PACKAGE_VERSION_COMPATIBLE TRUE)
-END
-}
-
 # by_cmake SOURCE NAME OPTION...: builds and installs a library.
 by_cmake() {
   cmake -S "$1" -B "$packages/from_source/$2" -G Ninja --toolchain "$PWD/cmake/windows.cmake" \
@@ -51,12 +33,12 @@ by_cmake() {
 
 gather() {
   rm -rf "$packages"
-  header_only xsimd xsimd libxsimd-dev xsimd
-  header_only Boost Boost::headers libboost-dev boost
-  header_only CLI11 CLI11::CLI11 libcli11-dev CLI
-  header_only nlohmann_json nlohmann_json::nlohmann_json nlohmann-json3-dev nlohmann
-  header_only fmt fmt::fmt libfmt-dev fmt FMT_HEADER_ONLY
-  header_only Eigen3 Eigen3::Eigen libeigen3-dev eigen3/Eigen
+  scripts/header_package.sh "$packages" xsimd xsimd libxsimd-dev xsimd
+  ln -s /usr/include/boost "$packages/include/"  # cmake/FindBoostHeaders.cmake needs no more
+  scripts/header_package.sh "$packages" CLI11 CLI11::CLI11 libcli11-dev CLI
+  scripts/header_package.sh "$packages" nlohmann_json nlohmann_json::nlohmann_json nlohmann-json3-dev nlohmann
+  scripts/header_package.sh "$packages" fmt fmt::fmt libfmt-dev fmt FMT_HEADER_ONLY
+  scripts/header_package.sh "$packages" Eigen3 Eigen3::Eigen libeigen3-dev eigen3/Eigen
   by_cmake /usr/src/googletest googletest -D BUILD_GMOCK=OFF
   scripts/debian_source.sh meshoptimizer "$packages/sources/meshoptimizer"
   by_cmake "$packages/sources/meshoptimizer" meshoptimizer
@@ -68,15 +50,18 @@ fail() { echo "test_windows.sh: $*" >&2; exit 1; }
 
 # The kernels: g++ does not align the stack for wide registers on Windows (src/search/kernels/CMakeLists.txt).
 check_moves() {
-  local moves
-  moves=$(find build/windows/src/search/kernels -name '*.obj' -exec x86_64-w64-mingw32-objdump -d --no-show-raw-insn {} + |
-    grep -E '\svmov(ap[sd]|dqa[0-9]*)\s.*[(].*%[yz]mm|\svmov(ap[sd]|dqa[0-9]*)\s.*%[yz]mm.*[(]' || true)
+  local wide moves
+  wide=$(find build/windows/src/search/kernels -name '*.obj' -exec x86_64-w64-mingw32-objdump -d --no-show-raw-insn {} + |
+    grep -E '\svmov.*%[yz]mm') || fail "no kernel moves a wide register: were their objects found?"
+  moves=$(grep -E '\svmov(ap[sd]|dqa[0-9]*)\s(.*[(].*%[yz]mm|.*%[yz]mm.*[(])' <<<"$wide" || true)
   [[ -z $moves ]] || fail "moves that need an aligned stack: $(head -3 <<<"$moves")"
 }
 
 check_dll() {
-  local bin=build/windows/bin other
-  local needs=$(objdump -p "$bin/$dll" | sed -n 's/.*DLL Name: //p' | grep -viE '^(kernel32|msvcrt|advapi32)\.dll$')
+  local bin=build/windows/bin other needs
+  needs=$(objdump -p "$bin/$dll" | sed -n 's/.*DLL Name: //p')
+  [[ -n $needs ]] || fail "$dll needs no DLL: was it read?"
+  needs=$(grep -viE '^(kernel32|msvcrt|advapi32)\.dll$' <<<"$needs" || true)
   [[ -z $needs ]] || fail "$dll needs $needs"
   python3 scripts/check_c_symbols.py "$bin/$dll" include/tamis/c
   wine "$bin/c_test.exe" || fail "c_test.exe ends with $?"

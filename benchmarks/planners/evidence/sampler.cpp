@@ -276,7 +276,7 @@ void sample(const Scene& scene, int states) {
   Package package(scene);
   const std::vector<int> order = bisected(states - 1);
   report(
-      std::string(Package::name) + ", " + std::to_string(states) + " states",
+      std::string(Package::name) + ", " + std::to_string(states),
       [&](std::int64_t i) {
         Edge edge(scene, i);
         return std::ranges::any_of(order,

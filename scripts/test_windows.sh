@@ -23,47 +23,6 @@ done
 packages=$PWD/build/windows-packages
 export WINEDEBUG=-all WINEPREFIX=$packages/wine
 
-# header_only PACKAGE TARGET DEBIAN_PACKAGE FOLDER [DEFINITION]: the host's header-only library, away from the host's C
-# library, with files for CMake.
-header_only() {
-  local cmake=$packages/lib/cmake/$1
-  mkdir -p "$cmake" "$packages/include"
-  ln -s "/usr/include/$4" "$packages/include/"
-  cat >"$cmake/$1Config.cmake" <<END
-if(NOT TARGET $2)
-  add_library($2 INTERFACE IMPORTED)
-endif()
-set_target_properties($2 PROPERTIES INTERFACE_INCLUDE_DIRECTORIES $packages/include INTERFACE_COMPILE_DEFINITIONS "${5:-}")
-END
-  cat >"$cmake/$1ConfigVersion.cmake" <<END
-set(PACKAGE_VERSION $(dpkg-query -W -f='${source:Upstream-Version}' "$3"))
-set(PACKAGE_VERSION_COMPATIBLE TRUE)
-END
-}
-
-# by_cmake SOURCE NAME OPTION...: builds and installs a library.
-by_cmake() {
-  cmake -S "$1" -B "$packages/from_source/$2" -G Ninja --toolchain "$PWD/cmake/windows.cmake" \
-    -D TAMIS_WINDOWS_PACKAGES="$packages" -D CMAKE_BUILD_TYPE=Release "${@:3}"
-  cmake --build "$packages/from_source/$2"
-  cmake --install "$packages/from_source/$2" --prefix "$packages"
-}
-
-gather() {
-  rm -rf "$packages"
-  header_only xsimd xsimd libxsimd-dev xsimd
-  header_only Boost Boost::headers libboost-dev boost
-  header_only CLI11 CLI11::CLI11 libcli11-dev CLI
-  header_only nlohmann_json nlohmann_json::nlohmann_json nlohmann-json3-dev nlohmann
-  header_only fmt fmt::fmt libfmt-dev fmt FMT_HEADER_ONLY
-  header_only Eigen3 Eigen3::Eigen libeigen3-dev eigen3/Eigen
-  by_cmake /usr/src/googletest googletest -D BUILD_GMOCK=OFF
-  scripts/debian_source.sh meshoptimizer "$packages/sources/meshoptimizer"
-  by_cmake "$packages/sources/meshoptimizer" meshoptimizer
-  wine wineboot --init
-  touch "$packages/complete"
-}
-
 fail() { echo "test_windows.sh: $*" >&2; exit 1; }
 
 # The kernels: g++ does not align the stack for wide registers on Windows (src/search/kernels/CMakeLists.txt).
@@ -88,7 +47,8 @@ check_dll() {
 }
 
 scripts/setup.sh --windows || { echo "skipped: Debian's compiler for Windows, or Wine, cannot be had"; exit 77; }
-[[ -e $packages/complete ]] || gather
+scripts/static_packages.sh "$packages" --googletest --toolchain "$PWD/cmake/windows.cmake" -D TAMIS_WINDOWS_PACKAGES="$packages"
+[[ -e $WINEPREFIX ]] || wine wineboot --init
 cmake --preset windows -D TAMIS_WINDOWS_PACKAGES="$packages"
 cmake --build --preset windows --target "${targets[@]}"
 dll=libtamis_c-0.1.dll

@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# static_packages.sh FOLDER [--tbb] [--zlib] [--googletest] OPTION...: the libraries that Tamis needs, for static linking, in FOLDER:
+# this machine's header-only ones, with files for CMake, away from the C library; others from Debian's sources, compiled with
+# these options of cmake. Makes nothing again.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+packages=$(realpath -m "$1")
+shift
+wanted=()
+while [[ ${1:-} =~ ^--(tbb|zlib|googletest)$ ]]; do wanted+=("$1"); shift; done
+options=("$@")
+[[ ! -e $packages/complete ]] || exit 0
+rm -rf "$packages"
+
+# header_only PACKAGE TARGET DEBIAN_PACKAGE FOLDER [DEFINITION]
+header_only() {
+  local cmake=$packages/lib/cmake/$1
+  mkdir -p "$cmake" "$packages/include"
+  ln -s "/usr/include/$4" "$packages/include/"
+  cat >"$cmake/$1Config.cmake" <<END
+if(NOT TARGET $2)
+  add_library($2 INTERFACE IMPORTED)
+endif()
+set_target_properties($2 PROPERTIES INTERFACE_INCLUDE_DIRECTORIES $packages/include INTERFACE_COMPILE_DEFINITIONS "${5:-}")
+END
+  cat >"$cmake/$1ConfigVersion.cmake" <<END
+set(PACKAGE_VERSION $(dpkg-query -W -f='${source:Upstream-Version}' "$3"))
+set(PACKAGE_VERSION_COMPATIBLE TRUE)
+END
+}
+
+# by_cmake NAME SOURCE OPTION...: builds and installs a library. SOURCE is a folder, or the name of a package of Debian.
+by_cmake() {
+  local source=$2
+  [[ $source == /* ]] || { source=$packages/sources/$1; scripts/debian_source.sh "$2" "$source"; }
+  cmake -S "$source" -B "$packages/from_source/$1" -G Ninja -D CMAKE_BUILD_TYPE=Release -D BUILD_SHARED_LIBS=OFF \
+    -D CMAKE_POSITION_INDEPENDENT_CODE=ON -D CMAKE_INSTALL_LIBDIR=lib "${options[@]}" "${@:3}"
+  cmake --build "$packages/from_source/$1"
+  cmake --install "$packages/from_source/$1" --prefix "$packages"
+}
+
+header_only xsimd xsimd libxsimd-dev xsimd
+header_only Boost Boost::headers libboost-dev boost
+header_only CLI11 CLI11::CLI11 libcli11-dev CLI
+header_only nlohmann_json nlohmann_json::nlohmann_json nlohmann-json3-dev nlohmann
+header_only fmt fmt::fmt libfmt-dev fmt FMT_HEADER_ONLY
+header_only Eigen3 Eigen3::Eigen libeigen3-dev eigen3/Eigen
+by_cmake meshoptimizer meshoptimizer
+for each in "${wanted[@]}"; do
+  case $each in
+    --tbb) by_cmake tbb onetbb -D TBB_TEST=OFF -D TBBMALLOC_BUILD=OFF -D TBB_STRICT=OFF -D TBB_ENABLE_IPO=OFF \
+      -D TBB_DISABLE_HWLOC_AUTOMATIC_SEARCH=ON ;;
+    # Its CMake always makes a shared library, too, which the linker would prefer.
+    --zlib) by_cmake zlib zlib && rm -f "$packages"/lib/libz.so* ;;
+    --googletest) by_cmake googletest /usr/src/googletest -D BUILD_GMOCK=OFF ;;
+  esac
+done
+touch "$packages/complete"

@@ -3,21 +3,17 @@
 import pathlib
 import subprocess
 import sys
-import venv
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-TOOLS = ROOT / "build" / "conda-tools"
 STDLIB = {"linux-64": "sysroot", "linux-aarch64": "sysroot", "osx-arm64": "macosx_deployment_target"}
 
 
 def run_with_rattler_build() -> int:
-    python = TOOLS / "bin" / "python"
-    if not python.exists():
-        venv.create(TOOLS, with_pip=True)
-    if subprocess.run([python, "-m", "pip", "install", "--quiet", "py-rattler-build==0.73.0"], check=False).returncode:
-        print("skipped: PyPI cannot be reached")
-        return 77
-    return subprocess.run([python, __file__, *sys.argv[1:]], check=False).returncode
+    pinned = subprocess.run([ROOT / "scripts" / "pinned.sh", "python", "conda"], stdout=subprocess.PIPE, text=True, check=False)
+    if pinned.returncode:
+        print(pinned.stdout, end="")
+        return pinned.returncode
+    return subprocess.run([pinned.stdout.strip(), __file__, *sys.argv[1:]], check=False).returncode
 
 
 def render(path: str, platform: str) -> None:

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# check_viewer.sh style|page|tests|site [COMMAND|SITE [SCREENSHOTS]]. style: checks types, lint and format of the viewer's sources.
-# page: checks that they build the committed pages, byte for byte. tests: runs the tests in Chromium, and saves pictures of the
-# pages in the folder SCREENSHOTS, for who wants to look. site: the same for a built site (scripts/site.sh). Exit code 77 if Node, its packages or Chromium is absent.
+# check_viewer.sh CHECK [COMMAND|SITE [SCREENSHOTS]]. style: checks types, lint and format of the viewer's sources. page: checks that
+# they build the committed pages, byte for byte. tests: runs the tests in Chromium. timed: runs those that bound the time of an
+# answer, so nothing else should run. site: tests a built site (scripts/site.sh). Pictures of the pages go to the folder
+# SCREENSHOTS, for who wants to look. Exit code 77 if Node, its packages or Chromium is absent.
 set -euo pipefail
 cd "$(dirname "$0")/../tools/viewer"
 
@@ -24,11 +25,13 @@ case $1 in
     compare build.mjs dist/viewer.html
     compare build_program.mjs ../program/dist/index.html
     ;;
-  tests)
+  tests | timed)
     export TAMIS_CHROMIUM=${TAMIS_CHROMIUM:-/usr/bin/chromium}
     [[ -x $TAMIS_CHROMIUM ]] || skip "no $TAMIS_CHROMIUM"
     export TAMIS_DATA=${TAMIS_DATA:-$PWD/../../shared/data}
-    TAMIS_COMMAND=$2 TAMIS_SCREENSHOTS=${3:-} node test.mjs
+    folder=test
+    [[ $1 == tests ]] || folder=test/timed
+    TAMIS_COMMAND=$2 TAMIS_SCREENSHOTS=${3:-} node test.mjs "$folder"
     ;;
   site)
     export TAMIS_CHROMIUM=${TAMIS_CHROMIUM:-/usr/bin/chromium}

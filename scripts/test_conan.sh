@@ -5,13 +5,10 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+conan=$(scripts/pinned.sh conan conan) || { echo "$conan"; exit 77; }
 work=$PWD/build/conan
-if [[ ! -x $work/tools/bin/conan ]]; then
-  python3 -m venv "$work/tools"
-  "$work/tools/bin/pip" install --quiet conan==2.34.0 || { rm -rf "$work/tools"; echo "skipped: PyPI cannot be reached"; exit 77; }
-fi
+mkdir -p "$work"
 export CONAN_HOME=$work/home
-conan=$work/tools/bin/conan
 "$conan" profile detect --force >/dev/null 2>&1
 cat >"$work/profile" <<'END'
 include(default)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# try_in_root.sh RELEASE COMMAND...: runs COMMAND in a clone of HEAD, in a new root of a release of Debian (bookworm or trixie), with
+# try_in_root.sh [--data] [--keep] RELEASE COMMAND...: runs COMMAND in a clone of HEAD, in a new root of a release of Debian (bookworm or trixie), with
 # an empty environment, as on a machine that was set up just now. Needs root, debootstrap, and some gigabytes in build/roots, where
 # the bare root stays for the next time. Packages come from this machine's own source. The exit code is COMMAND's; 77 if there can
 # be no such root.
@@ -9,8 +9,14 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 keep= data=
-if [[ ${1:-} == --data ]]; then data=${TAMIS_DATA:-$PWD/../shared/data}; shift; fi
-if [[ ${1:-} == --keep ]]; then keep=yes; shift; fi
+while [[ ${1:-} == --* ]]; do
+  case $1 in
+    --data) data=${TAMIS_DATA:-$PWD/../shared/data} ;;
+    --keep) keep=yes ;;
+    *) echo "try_in_root.sh: no option is called $1: use --data or --keep" >&2; exit 2 ;;
+  esac
+  shift
+done
 release=${1:?say which release, bookworm or trixie}
 shift
 (($#)) || { echo "try_in_root.sh: give the command, too, as scripts/demo.sh" >&2; exit 2; }

@@ -91,7 +91,7 @@ void sort_in_parts(Items& items, const Order& comes_before, const Pause& pause) 
   const std::size_t count = items.size(), parts = std::bit_ceil(static_cast<std::size_t>(threads_here()));
   if (parts == 1 || count < parts * kLeast) return std::sort(items.begin(), items.end(), order);
   const auto place = [&](std::size_t part) {
-    return items.begin() + static_cast<std::ptrdiff_t>(count * std::min(part, parts) / parts);
+    return items.begin() + static_cast<std::ptrdiff_t>(count * part / parts);
   };
   const auto for_each = [&](std::size_t some, const auto& f) {
     parallel_for(some, 1, [&](std::size_t i, std::size_t end) {

@@ -1,5 +1,6 @@
 #include "numbers/integer.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>

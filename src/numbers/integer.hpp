@@ -1,9 +1,7 @@
 // Integers of any size by Boost.Multiprecision. Up to 768 bits they need no heap: an exact decision makes hundreds of
 // them, and malloc would take half of its time. This header alone includes Boost, which takes a second to compile.
 #pragma once
-#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <cstddef>
 #include <cstdint>
 
 #include "numbers/assert.hpp"

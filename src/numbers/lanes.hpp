@@ -65,15 +65,13 @@ inline unsigned bits(const xsimd::batch_bool<T, Arch>& mask) {
     return static_cast<unsigned>(signs_of(same_bits<double>(lanes)));
   else
     return static_cast<unsigned>(signs_of(same_bits<float>(lanes)));
-#elif XSIMD_WITH_NEON64
+#else
   static constexpr std::uint32_t kFours[4] = {1, 2, 4, 8};
   static constexpr std::uint64_t kTwos[2] = {1, 2};
   if constexpr (sizeof(T) == 8)
     return static_cast<unsigned>(vaddvq_u64(vandq_u64(mask.data, vld1q_u64(kTwos))));
   else
     return vaddvq_u32(vandq_u32(mask.data, vld1q_u32(kFours)));
-#else
-  return static_cast<unsigned>(mask.mask());  // WebAssembly is in versions that have it
 #endif
 }
 
@@ -101,10 +99,8 @@ inline FloatLanes to_float(const DoubleLanes& low, const DoubleLanes& high) {
   return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm256_cvtpd_ps(low)), _mm256_cvtpd_ps(high), 1);
 #elif XSIMD_WITH_SSE2
   return _mm_movelh_ps(_mm_cvtpd_ps(low), _mm_cvtpd_ps(high));
-#elif XSIMD_WITH_NEON64
-  return vcvt_high_f32_f64(vcvt_f32_f64(low), high);
 #else
-  return wasm_i32x4_shuffle(wasm_f32x4_demote_f64x2_zero(low), wasm_f32x4_demote_f64x2_zero(high), 0, 1, 4, 5);
+  return vcvt_high_f32_f64(vcvt_f32_f64(low), high);
 #endif
 }
 

@@ -57,6 +57,7 @@ class LentLoop {
       fail();
     }
     take_parts();
+    // An engine that threw may not have waited for the calls that it had begun.
     while (working_ > 0) std::this_thread::yield();
     if (failure_) std::rethrow_exception(failure_);
   }
@@ -177,14 +178,13 @@ Arena::Arena(int threads, ParallelFor lent)
 Arena::~Arena() = default;
 
 void Arena::run(const std::function<void()>& work) {
-  if (own_) return own_->run(work);
   Crew crew{.is_alone = threads_ == 1};
   if (lent_ && !crew.is_alone) {
     crew.lent = &lent_;
     crew.threads = threads_ > 0 ? threads_ : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   }
   const HasCrew has(crew);
-  run_isolated(work);
+  own_ ? own_->run(work) : run_isolated(work);
 }
 
 }  // namespace tamis

@@ -23,7 +23,7 @@ void run_loop(std::size_t count, std::size_t grain, const std::function<void(std
 void run_isolated(const std::function<void()>& work);
 
 /// Calls f(begin, end) for parts of 0 to `count`, in any order, on the threads of the arena. Parts other than the last
-/// have at least `grain` items or half as many. An exception of f ends the loop. REQUIRES: grain > 0.
+/// have at least half of `grain` items. An exception of f ends the loop. REQUIRES: grain > 0.
 template <class F>
 void parallel_for(std::size_t count, std::size_t grain, const F& f) {
   run_loop(count, grain, std::cref(f));

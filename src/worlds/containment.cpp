@@ -4,6 +4,7 @@
 
 #include "pair/exact/ray_crossing.hpp"
 #include "pair/exact/start_distance.hpp"
+#include "search/query/cancellation.hpp"
 #include "search/topology/at.hpp"
 #include "worlds/body_bounds.hpp"
 
@@ -82,14 +83,17 @@ class InsideTest {
 
 bool is_closed(const Body& body) { return body.shape().closed_parts().is_closed() && seams_hold(body); }
 
-bool encloses(const Body& outer, const Body& inner) {
+bool encloses(const Body& outer, const Body& inner, const Options& options) {
   const auto is_near = [&](Index v) {
     const Point point = inner.start_of(v);
     return may_meet(outer.start_hull(), {point, point});
   };
   if (!outer.shape().closed_parts().encloses() || !seams_hold(outer)) return false;
-  return std::ranges::any_of(inner.shape().closed_parts().one_vertex_of_each,
-                             [&](Index v) { return is_near(v) && InsideTest(outer, inner.start_of(v)).run(); });
+  return std::ranges::any_of(inner.shape().closed_parts().one_vertex_of_each, [&](Index v) {
+    if (!is_near(v)) return false;
+    stop_if_cancelled(options);
+    return InsideTest(outer, inner.start_of(v)).run();
+  });
 }
 
 }  // namespace tamis

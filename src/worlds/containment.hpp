@@ -9,7 +9,7 @@ bool is_closed(const Body& body);
 
 /// True if a vertex of `inner` lies in a closed part of `outer`, or on it, at t=0. Tests one vertex of each connected
 /// part of `inner`: where no edge passes through a face, the others lie as it does. Decided exactly for positions
-/// rounded to doubles.
-bool encloses(const Body& outer, const Body& inner);
+/// rounded to doubles. Throws Cancelled, as `options` say.
+bool encloses(const Body& outer, const Body& inner, const Options& options);
 
 }  // namespace tamis

@@ -14,8 +14,9 @@ bool World::has_overlap(const PoseOptions& asked) {
 bool World::State::has_containment(const PoseOptions& asked) {
   const NearDistance touching{.is_at_start = true, .include_static = asked.include_static};
   for (const auto& [a, b] : near_bodies(touching)) {
+    const Body &first = *bodies[at(a)], &second = *bodies[at(b)];
     stop_if_cancelled(options);
-    if (encloses(*bodies[at(a)], *bodies[at(b)]) || encloses(*bodies[at(b)], *bodies[at(a)])) return true;
+    if (encloses(first, second, options) || encloses(second, first, options)) return true;
   }
   return false;
 }

@@ -123,6 +123,23 @@ TEST(Overlap, OpenMeshesContainNothing) {
   EXPECT_TRUE(overlap(joined(open, ball(1, {3, 0, 0})), ball(0.25, {3, 0, 0})));
 }
 
+// Bug: vertices that only happen to be at one place make one part of two, which is open if one of them is, or is open
+// once they part.
+TEST(Overlap, IsOfAClosedPartWhateverIsAtItsVertices) {
+  scenes::Shape flag;
+  flag.points = {{1, 1, 1}, {1, 1, -1}, {2, 2, 2}};
+  flag.faces = {{0, 1, 2}};
+  EXPECT_TRUE(overlap(joined(scenes::unit_cube(1), flag), ball(0.5)));
+  EXPECT_FALSE(overlap(joined(scenes::unit_cube(1), flag), ball(0.1, {1.5, 1.5, 3})));
+
+  scenes::Shape two = joined(scenes::unit_cube(1), scaled(scenes::unit_cube(1), 1, {2, 0, 0}));
+  const Shape shape = made(two);
+  for (std::size_t i = two.points.size() / 2; i < two.points.size(); ++i) two.points[i][0] += 0.5;
+  World world;
+  EXPECT_TRUE(world.is_closed(world.add(shape, Deforming{two.points, two.points})));
+  EXPECT_TRUE(overlap(shape, made(ball(0.5)), Deforming{two.points, two.points}));
+}
+
 TEST(Overlap, PartsWithReversedFacesAreCavities) {
   const scenes::Shape shell = joined(ball(2), reversed(ball(1)));
   EXPECT_FALSE(overlap(shell, ball(0.5)));
@@ -235,19 +252,50 @@ TEST(Overlap, IsAPointOnTheSurface) {
     EXPECT_FALSE(overlap(cube(), grain, Static{}, still({p, {}})));
 }
 
+// Bug: one pair of bodies with many parts takes long, and cannot be cancelled.
+TEST(Overlap, CanBeCancelledWithinAPairOfBodies) {
+  constexpr Index kGrains = 1000;
+  std::vector<Index> grains(place(kGrains));
+  for (Index i = 0; i < kGrains; ++i) grains[place(i)] = i;
+  int looks = 0;
+  Options options = one_thread();
+  options.is_cancelled = [&] { return ++looks == kGrains / 2; };
+  World world(options);
+  world.add(made(torus(3, 1)), Static{});
+  world.add({Mesh(kGrains, {}, {}, grains), std::vector<Point>(place(kGrains))}, still());
+  EXPECT_THROW((void)world.has_overlap(), Cancelled);
+  EXPECT_FALSE(world.has_overlap());
+}
+
+/// Small balls at random places in and around a large one.
+World grains_around_a_ball(std::uint64_t seed, const Options& options) {
+  Random random(seed);
+  World world(options);
+  world.add(made(ball(1)), Static{});
+  for (int i = 0; i < 4; ++i) {
+    const Point place = random.point(2);
+    world.add(made(ball(0.05)), still({place, {}}));
+  }
+  return world;
+}
+
 TEST(Overlap, DoesNotDependOnThreads) {
-  int inside = 0;
+  int inside = 0, outside = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Options three = one_thread();
     three.threads = 3;
     const AllowedThreads allowed(3);
-    TestWorld one = random_world(seed, 4, Motions::any), shared = random_world(seed, 4, Motions::any, three);
-    const bool found = one.world.has_overlap();
-    EXPECT_EQ(shared.world.has_overlap(), found);
-    EXPECT_TRUE(found || !one.world.has_intersection());
-    inside += found && !one.world.has_intersection() ? 1 : 0;
+    TestWorld any = random_world(seed, 4, Motions::any), any_shared = random_world(seed, 4, Motions::any, three);
+    EXPECT_EQ(any_shared.world.has_overlap(), any.world.has_overlap());
+    World one = grains_around_a_ball(seed, one_thread()), shared = grains_around_a_ball(seed, three);
+    const bool found = one.has_overlap(), crosses = one.has_intersection();
+    EXPECT_EQ(shared.has_overlap(), found);
+    EXPECT_TRUE(found || !crosses);
+    inside += found && !crosses ? 1 : 0;
+    outside += found ? 0 : 1;
   }
-  EXPECT_LT(inside, 40);
+  EXPECT_GT(inside, 0);
+  EXPECT_GT(outside, 0);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Bundles test/*.test.ts and runs them: node test.mjs [BEGINNING OF A NAME]. Needs TAMIS_COMMAND, the command to test.
+// Bundles the tests of a folder and runs them: node test.mjs [FOLDER [BEGINNING OF A NAME]], as in `node test.mjs test pose` or
+// `node test.mjs test/timed`. Needs TAMIS_COMMAND, the command to test.
 import { spawnSync } from "node:child_process";
 import { readdir, rm } from "node:fs/promises";
 import { dirname, join } from "node:path";
@@ -8,12 +9,12 @@ import { build } from "esbuild";
 const folder = dirname(fileURLToPath(import.meta.url));
 // The bundles are below node_modules, so that they find the packages that they import.
 const out = join(folder, "node_modules", ".tests", String(process.pid));
-const chosen = process.argv[2] ?? "";
-const names = (await readdir(join(folder, "test"))).filter(
+const [tests = "test", chosen = ""] = process.argv.slice(2);
+const names = (await readdir(join(folder, tests))).filter(
   (name) => name.startsWith(chosen) && name.endsWith(".test.ts"),
 );
 await build({
-  entryPoints: names.map((name) => join(folder, "test", name)),
+  entryPoints: names.map((name) => join(folder, tests, name)),
   outdir: out,
   outExtension: { ".js": ".mjs" },
   bundle: true,

@@ -51,17 +51,31 @@ std::vector<Closing> closings_of(const std::vector<DirectedSide>& sides, Index c
   return closings;
 }
 
-/// Joins vertices at one place. Returns for each vertex the first vertex at its place.
+/// The vertices of edges with an odd number of faces. Folded faces do not count there, so their vertices are among
+/// them.
+std::vector<Index> vertices_at_open_edges(const Mesh& mesh) {
+  std::vector<Index> vertices;
+  for (std::size_t e = 0; e < mesh.edges().size(); ++e)
+    if (mesh.faces_of_edge(static_cast<Index>(e)).size() % 2 != 0)
+      vertices.insert(vertices.end(), mesh.edges()[e].begin(), mesh.edges()[e].end());
+  for (const Face& face : mesh.faces())
+    if (is_folded(face)) vertices.insert(vertices.end(), face.begin(), face.end());
+  return vertices;
+}
+
+/// Joins vertices at one place, if edges there are open. An edge that is closed needs no other: a body that deforms may
+/// move it away, and what else is at its place may be open. Returns for each vertex the first of those it is joined to.
 std::vector<Index> joined_vertices(const Mesh& mesh, std::span<const Point> points,
                                    std::vector<std::array<Index, 2>>& seams) {
   std::vector<Index> joined(at(mesh.vertex_count()));
   std::iota(joined.begin(), joined.end(), 0);
-  std::vector<Index> ordered(mesh.points().begin(), mesh.points().end());
+  std::vector<Index> ordered = vertices_at_open_edges(mesh);
   std::ranges::sort(ordered, [&](Index a, Index b) { return std::tie(points[at(a)], a) < std::tie(points[at(b)], b); });
   for (std::size_t i = 1; i < ordered.size(); ++i) {
-    if (points[at(ordered[i])] != points[at(ordered[i - 1])]) continue;
-    joined[at(ordered[i])] = joined[at(ordered[i - 1])];
-    seams.push_back({joined[at(ordered[i])], ordered[i]});
+    const Index vertex = ordered[i], before = ordered[i - 1];
+    if (vertex == before || points[at(vertex)] != points[at(before)]) continue;
+    joined[at(vertex)] = joined[at(before)];
+    seams.push_back({joined[at(vertex)], vertex});
   }
   return joined;
 }

@@ -10,10 +10,10 @@
 
 namespace tamis {
 
-/// The parts of a mesh are its connected components. Vertices at one place count as one vertex: files often split
-/// vertices along seams. A part is closed if each of its edges has an even number of faces. Then the number of faces
-/// that a ray from a point crosses is even for all rays, or odd for all. If the faces at each edge also go around in
-/// both directions equally often, the part has a winding number.
+/// The parts of a mesh are its connected components. Along open edges vertices at one place count as one vertex: files
+/// often split vertices along seams. A part is closed if each of its edges has an even number of faces. Then the number
+/// of faces that a ray from a point crosses is even for all rays, or odd for all. If the faces at each edge also go
+/// around in both directions equally often, the part has a winding number.
 struct ClosedParts {
   static constexpr Index kOpen = -1, kWound = 0;
 

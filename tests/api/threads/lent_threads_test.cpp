@@ -148,6 +148,26 @@ TEST_F(LentThreads, QuestionsMayBeAskedInTheEnginesOwnLoop) {
   EXPECT_EQ(wrong, 0);
 }
 
+// Bug: the engine's threads serve a question to which nobody lent them.
+TEST_F(LentThreads, ServeNoQuestionWithinTheirQuestion) {
+  const AllowedThreads allowed(kThreads);
+  const Scene small = two_sheets(12);
+  std::atomic<int> asked = 0;
+  Options options = lent([](int count, const Body& body) {
+    while (count-- > 0) body(count);
+  });
+  options.is_cancelled = [&] {
+    if (asked++ >= 20) return false;
+    Detector another(small.mesh(), {.threads = 2});
+    (void)another.contacts(small.step());
+    EXPECT_EQ(another.statistics().threads, has_threads() ? 2 : 1);
+    return false;
+  };
+  Detector detector(scene_.mesh(), options);
+  (void)detector.contacts(scene_.step());
+  EXPECT_GT(asked, 0);
+}
+
 // Bug: an exception passes through the engine, or ends the program, or is lost; the detector is spoilt.
 TEST_F(LentThreads, HandExceptionsToTheCaller) {
   EnginePool pool(kThreads);

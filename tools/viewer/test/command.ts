@@ -75,3 +75,9 @@ export function sheet(n: number, z: number, wave: number, first: number): { vert
     }
   return { vertices, faces: faces.join("\n") };
 }
+
+/**
+ * The part of a million that tests draw. Drawn in software, a million of anything takes half a minute: scripts/nightly.sh asks
+ * for that. Other runs take a sixth, which is more than a function takes arguments.
+ */
+export const part = process.env.TAMIS_LONG ? 1 : 0.16;

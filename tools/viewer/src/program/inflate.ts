@@ -1,4 +1,4 @@
-// What build.mjs has compressed.
+// What tools/program/module.mjs and make_step.mjs have compressed.
 
 /** The bytes that stand in a text: deflated, in base64. */
 export function inflated(base64: string): Promise<ArrayBuffer> {

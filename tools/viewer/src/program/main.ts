@@ -11,7 +11,7 @@ declare global {
   interface Window {
     /** By module.js: the script that loads the module, and the module, compressed, in base64. */
     tamisModule?: { script: string; wasm: string };
-    /** Of the worker, by build.mjs. */
+    /** Of the worker, by build_program.mjs. */
     tamisWorker?: string;
     /** How long it took until the first scene was seen, in milliseconds. */
     tamisFirst?: number;

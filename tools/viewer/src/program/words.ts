@@ -1,13 +1,10 @@
 // What was found, as a sentence.
+import { counted, grouped } from "../numbers";
 import type { Facts } from "./messages";
-
-const grouped = (count: number): string => count.toLocaleString("en");
-
-const counted = (count: number, one: string): string => `${grouped(count)} ${one}${count === 1 ? "" : "s"}`;
 
 const milliseconds = (seconds: number): string => {
   const ms = 1000 * seconds;
-  return ms < 10 ? `${ms.toFixed(1)} ms` : `${grouped(Math.round(ms))} ms`;
+  return ms < 10 ? `${ms.toFixed(1)} ms` : `${grouped(ms)} ms`;
 };
 
 export function wordsOf({ triangles, contacts, seconds, first, notes }: Facts, all: boolean): string {

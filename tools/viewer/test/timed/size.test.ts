@@ -2,10 +2,10 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { kMostMarks } from "../src/session";
-import { kDraftSegments } from "../src/view3d/large";
-import { answerTo, launch, open, picture } from "./browser";
-import { Folder, obj } from "./command";
+import { kMostMarks } from "../../src/session";
+import { kDraftSegments } from "../../src/view3d/large";
+import { answerTo, launch, open, picture } from "../browser";
+import { Folder, obj } from "../command";
 
 const folder = new Folder();
 let browser: Browser;
@@ -18,7 +18,7 @@ after(() => {
   folder.remove();
 });
 
-/** Seconds are generous: other programs run at the same time. Without drafts a key took twelve. */
+/** Seconds are generous: the machine may be shared. Without drafts a key took twelve. */
 const kLongestAnswer = 4000;
 
 async function assertAnswers(page: Page, keys: string[]): Promise<void> {

@@ -14,14 +14,27 @@ import sys
 TARGET = "{}-linux-gnu.2.28"
 # The newest versions that manylinux_2_28 allows (auditwheel's policy).
 NEWEST = {"GLIBCXX": (3, 4, 24), "CXXABI": (1, 3, 11), "GCC": (7, 0, 0)}
-# What libstdc++.a calls of newer glibc.
+# What libstdc++ and its headers call of newer glibc.
 NEWER = """
+#include <pthread.h>
+#include <time.h>
 #include <unistd.h>
 __attribute__((visibility("hidden"))) char __libc_single_threaded = 0;
 __attribute__((visibility("hidden"))) unsigned arc4random(void) {
   unsigned value;
   if (getentropy(&value, sizeof value) != 0) __builtin_abort();
   return value;
+}
+__attribute__((visibility("hidden"))) int pthread_cond_clockwait(pthread_cond_t* condition, pthread_mutex_t* mutex, clockid_t clock,
+                                                                  const struct timespec* until) {
+  struct timespec now, then;
+  clock_gettime(clock, &now);
+  clock_gettime(CLOCK_REALTIME, &then);
+  const long nanoseconds = then.tv_nsec + until->tv_nsec - now.tv_nsec;  /* -1e9 to 2e9 */
+  const long carry = nanoseconds < 0 ? -1 : nanoseconds / 1000000000;
+  then.tv_sec += until->tv_sec - now.tv_sec + carry;
+  then.tv_nsec = nanoseconds - carry * 1000000000;
+  return pthread_cond_timedwait(condition, mutex, &then);
 }
 """
 

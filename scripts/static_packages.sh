@@ -40,6 +40,20 @@ by_cmake() {
   cmake --install "$packages/from_source/$1" --prefix "$packages"
 }
 
+# Its own files for CMake always make a shared library, too, and need files that Debian's source does not have.
+zlib() {
+  local source=$packages/sources/zlib
+  scripts/debian_source.sh zlib "$source"
+  cat >"$source/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.20)
+project(zlib C)
+add_library(z STATIC adler32.c compress.c crc32.c deflate.c inffast.c inflate.c inftrees.c trees.c uncompr.c zutil.c)
+install(TARGETS z)
+install(FILES zlib.h zconf.h DESTINATION include)
+END
+  by_cmake zlib "$source"
+}
+
 header_only xsimd xsimd libxsimd-dev xsimd
 header_only Boost Boost::headers libboost-dev boost
 header_only CLI11 CLI11::CLI11 libcli11-dev CLI
@@ -51,8 +65,7 @@ for each in "${wanted[@]}"; do
   case $each in
     --tbb) by_cmake tbb onetbb -D TBB_TEST=OFF -D TBBMALLOC_BUILD=OFF -D TBB_STRICT=OFF -D TBB_ENABLE_IPO=OFF \
       -D TBB_DISABLE_HWLOC_AUTOMATIC_SEARCH=ON ;;
-    # Its CMake always makes a shared library, too, which the linker would prefer.
-    --zlib) by_cmake zlib zlib && rm -f "$packages"/lib/libz.so* ;;
+    --zlib) zlib ;;
     --googletest) by_cmake googletest /usr/src/googletest -D BUILD_GMOCK=OFF ;;
   esac
 done

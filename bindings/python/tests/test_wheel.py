@@ -41,10 +41,18 @@ def test_no_library_is_shared_but_the_systems() -> None:
     [
         ("sys.modules['nanobind_backend'] = None", "'pip install nanobind-backend'"),
         ("sys._tamis_version = '9.9.9'", "this process has loaded tamis 9.9.9 already: start a new process"),
+        ("sys.version_info = (3, 9, 18)", "CPython 3.10 or newer with a GIL, and .* is cpython 3.9: use another Python"),
+        ("sys.implementation.name = 'pypy'", "CPython 3.10 or newer with a GIL, and .* is pypy 3"),
+        ("import sysconfig; sysconfig.get_config_vars()['Py_GIL_DISABLED'] = 1", "3.* without a GIL: use another Python"),
+        ("sys.modules['tamis._core'] = None", "has no compiled part for this Python: pip install --force-reinstall"),
+        (
+            "import types; sys.modules['tamis._version'] = types.SimpleNamespace(VERSION='9.9.9')",
+            "tamis 9.9.9 has found a compiled part of version .*: pip install --force-reinstall",
+        ),
     ],
 )
 def test_a_module_that_cannot_work_says_why(before: str, sentence: str) -> None:
-    """Bugs: no word about the missing package; two versions share nanobind's classes."""
+    """Bugs: no word about the missing package; two versions share nanobind's classes; an old Python, half an update."""
     words = [sys.executable, "-c", f"import sys; {before}; import tamis"]
     asked = subprocess.run(words, capture_output=True, text=True)
     assert asked.returncode == 1

@@ -8,8 +8,11 @@ set(CMAKE_C_COMPILER ${TAMIS_ZIG}/cc)
 set(CMAKE_CXX_COMPILER ${TAMIS_ZIG}/c++)
 set(CMAKE_AR ${TAMIS_ZIG}/ar CACHE FILEPATH "")
 set(CMAKE_RANLIB ${TAMIS_ZIG}/ranlib CACHE FILEPATH "")
-# Boost before 1.81 asks for a class that C++17 removed, and zig's C++ library does not have.
-set(CMAKE_CXX_FLAGS_INIT -DBOOST_NO_CXX98_FUNCTION_BASE)
+# Boost before 1.81 asks for a class that C++17 removed, and zig's C++ library does not have. That library's <cmath> has no NAN if
+# <cfloat> comes before it (zig 0.17).
+set(CMAKE_CXX_FLAGS_INIT "-DBOOST_NO_CXX98_FUNCTION_BASE -include cmath")
+set(CMAKE_INSTALL_NAME_DIR @rpath)  # as on a Mac, whose version CMake does not find here
+set(CMAKE_BUILD_WITH_INSTALL_NAME_DIR ON)
 set(CMAKE_INSTALL_NAME_TOOL ${CMAKE_COMMAND} CACHE FILEPATH "")  # asked for; only an installation would run it
 set(CMAKE_FIND_ROOT_PATH ${TAMIS_ZIG_PACKAGES})
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

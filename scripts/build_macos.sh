@@ -17,15 +17,13 @@ for tool in cc c++ ar ranlib; do
   printf '#!/bin/sh\nexec "%s" -m ziglang %s %s "$@"\n' "$python" "$tool" "$options" >"$build/zig/$tool"
   chmod +x "$build/zig/$tool"
 done
-# The header-only packages, with their files for CMake.
-mkdir -p "$build/packages"
-boost=$(dpkg-query -W -f='${Depends}' libboost-dev | grep -o 'libboost[0-9.]*-dev')
-for package in libxsimd-dev "$boost"; do
-  dpkg -L "$package" | grep -E '^/usr/(include|lib|share/cmake)' | tar -c --no-recursion -P -T - | tar -x -C "$build/packages" 2>/dev/null
-done
+packages=$build/packages
+rm -rf "$packages"
+scripts/header_package.sh "$packages" xsimd xsimd libxsimd-dev xsimd
+ln -s /usr/include/boost "$packages/include/"  # cmake/FindBoostHeaders.cmake needs no more
 
 cmake -G Ninja -B "$build" -DCMAKE_TOOLCHAIN_FILE=cmake/zig.cmake -DTAMIS_ZIG="$build/zig" -DTAMIS_ZIG_SYSTEM=Darwin \
-  -DTAMIS_ZIG_PROCESSOR=arm64 -DTAMIS_ZIG_PACKAGES="$build/packages" -Dxsimd_DIR="$(dirname "$(find "$build/packages" -name xsimdConfig.cmake)")" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_VISIBILITY_PRESET=hidden \
+  -DTAMIS_ZIG_PROCESSOR=arm64 -DTAMIS_ZIG_PACKAGES="$packages" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_VISIBILITY_PRESET=hidden \
   -DTAMIS_TBB=OFF -DTAMIS_BUILD_TOOLS=OFF -DTAMIS_BUILD_LAB=OFF -DTAMIS_BUILD_TESTS=OFF -DTAMIS_WARNINGS_AS_ERRORS=ON
 cmake --build "$build"
 "$build/zig/c++" -std=c++20 -Iinclude examples/hello.cpp "$build/src/libtamis.a" -o "$build/hello_cpp"

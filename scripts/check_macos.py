@@ -8,14 +8,20 @@ import lief
 
 from check_c_symbols import declared_in
 
+lief.logging.disable()  # it warns of what it does not read
+
 # zig links its C++ library into each file; C++ asks that programs may replace these functions.
 OF_CPP = ("__Zna", "__Znw", "__Zda", "__Zdl", "__mh_dylib_header", "___dso_handle")
 SYSTEM = "/usr/lib/libSystem.B.dylib"
 C_LIBRARY = "@rpath/libtamis_c.0.1.dylib"
 
 
+def read(path: pathlib.Path) -> lief.MachO.Binary:
+    return lief.MachO.parse(str(path)).at(0)
+
+
 def faults_of(path: pathlib.Path, kind: str, loads: set[str]) -> list[str]:
-    file = lief.MachO.parse(str(path)).at(0)
+    file = read(path)
     loaded = {library.name for library in file.libraries if library.command != lief.MachO.LoadCommand.TYPE.ID_DYLIB}
     found = {
         "processor": (file.header.cpu_type.name, "ARM64"),
@@ -33,7 +39,8 @@ def main() -> int:
     faults = faults_of(library, "DYLIB", {SYSTEM})
     faults += faults_of(build / "hello_c", "EXECUTE", {SYSTEM, C_LIBRARY})
     faults += faults_of(build / "hello_cpp", "EXECUTE", {SYSTEM})
-    symbols = {symbol.name for symbol in lief.MachO.parse(str(library)).at(0).exported_symbols}
+    file = read(library)  # symbols of a temporary file would be gone
+    symbols = {symbol.name for symbol in file.exported_symbols}
     exported = {name for name in symbols if not name.startswith(OF_CPP)}
     wanted = {f"_{name}" for name in declared_in(headers)}
     faults += [f"exported, and not declared: {name}" for name in sorted(exported - wanted)]

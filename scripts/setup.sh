@@ -40,7 +40,7 @@ case ${1:-} in
   --blender) packages+=(blender python3-numpy) ;;
   --site) packages=(doxygen git python3 python3-venv) ;;
   --arm64) packages+=(g++-aarch64-linux-gnu qemu-user) ;;
-  --windows) packages+=(g++-mingw-w64-x86-64-posix libz-mingw-w64-dev libboost-dev googletest wine64 wine) ;;
+  --windows) packages+=(g++-mingw-w64-x86-64-posix libz-mingw-w64-dev googletest wine64 wine) ;;
   --wasm)
     [[ $release != bookworm ]] || { echo "setup: Debian 12's emscripten is 3.1.6, and 3.1.50 is needed: use Debian 13" >&2; exit 1; }
     packages+=(emscripten nodejs libfast-float-dev googletest libgtest-dev python3)

@@ -13,23 +13,6 @@ options=("$@")
 [[ ! -e $packages/complete ]] || exit 0
 rm -rf "$packages"
 
-# header_only PACKAGE TARGET DEBIAN_PACKAGE FOLDER [DEFINITION]
-header_only() {
-  local cmake=$packages/lib/cmake/$1
-  mkdir -p "$cmake" "$packages/include"
-  ln -s "/usr/include/$4" "$packages/include/"
-  cat >"$cmake/$1Config.cmake" <<END
-if(NOT TARGET $2)
-  add_library($2 INTERFACE IMPORTED)
-endif()
-set_target_properties($2 PROPERTIES INTERFACE_INCLUDE_DIRECTORIES $packages/include INTERFACE_COMPILE_DEFINITIONS "${5:-}")
-END
-  cat >"$cmake/$1ConfigVersion.cmake" <<END
-set(PACKAGE_VERSION $(dpkg-query -W -f='${source:Upstream-Version}' "$3"))
-set(PACKAGE_VERSION_COMPATIBLE TRUE)
-END
-}
-
 # by_cmake NAME SOURCE OPTION...: builds and installs a library. SOURCE is a folder, or the name of a package of Debian.
 by_cmake() {
   local source=$2
@@ -54,12 +37,12 @@ END
   by_cmake zlib "$source"
 }
 
-header_only xsimd xsimd libxsimd-dev xsimd
-header_only Boost Boost::headers libboost-dev boost
-header_only CLI11 CLI11::CLI11 libcli11-dev CLI
-header_only nlohmann_json nlohmann_json::nlohmann_json nlohmann-json3-dev nlohmann
-header_only fmt fmt::fmt libfmt-dev fmt FMT_HEADER_ONLY
-header_only Eigen3 Eigen3::Eigen libeigen3-dev eigen3/Eigen
+scripts/header_package.sh "$packages" xsimd xsimd libxsimd-dev xsimd
+ln -s /usr/include/boost "$packages/include/"  # cmake/FindBoostHeaders.cmake needs no more
+scripts/header_package.sh "$packages" CLI11 CLI11::CLI11 libcli11-dev CLI
+scripts/header_package.sh "$packages" nlohmann_json nlohmann_json::nlohmann_json nlohmann-json3-dev nlohmann
+scripts/header_package.sh "$packages" fmt fmt::fmt libfmt-dev fmt FMT_HEADER_ONLY
+scripts/header_package.sh "$packages" Eigen3 Eigen3::Eigen libeigen3-dev eigen3/Eigen
 by_cmake meshoptimizer meshoptimizer
 for each in "${wanted[@]}"; do
   case $each in

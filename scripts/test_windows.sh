@@ -27,15 +27,18 @@ fail() { echo "test_windows.sh: $*" >&2; exit 1; }
 
 # The kernels: g++ does not align the stack for wide registers on Windows (src/search/kernels/CMakeLists.txt).
 check_moves() {
-  local moves
-  moves=$(find build/windows/src/search/kernels -name '*.obj' -exec x86_64-w64-mingw32-objdump -d --no-show-raw-insn {} + |
-    grep -E '\svmov(ap[sd]|dqa[0-9]*)\s.*[(].*%[yz]mm|\svmov(ap[sd]|dqa[0-9]*)\s.*%[yz]mm.*[(]' || true)
+  local wide moves
+  wide=$(find build/windows/src/search/kernels -name '*.obj' -exec x86_64-w64-mingw32-objdump -d --no-show-raw-insn {} + |
+    grep -E '\svmov.*%[yz]mm') || fail "no kernel moves a wide register: were their objects found?"
+  moves=$(grep -E '\svmov(ap[sd]|dqa[0-9]*)\s(.*[(].*%[yz]mm|.*%[yz]mm.*[(])' <<<"$wide" || true)
   [[ -z $moves ]] || fail "moves that need an aligned stack: $(head -3 <<<"$moves")"
 }
 
 check_dll() {
-  local bin=build/windows/bin other
-  local needs=$(objdump -p "$bin/$dll" | sed -n 's/.*DLL Name: //p' | grep -viE '^(kernel32|msvcrt|advapi32)\.dll$')
+  local bin=build/windows/bin other needs
+  needs=$(objdump -p "$bin/$dll" | sed -n 's/.*DLL Name: //p')
+  [[ -n $needs ]] || fail "$dll needs no DLL: was it read?"
+  needs=$(grep -viE '^(kernel32|msvcrt|advapi32)\.dll$' <<<"$needs" || true)
   [[ -z $needs ]] || fail "$dll needs $needs"
   python3 scripts/check_c_symbols.py "$bin/$dll" include/tamis/c
   wine "$bin/c_test.exe" || fail "c_test.exe ends with $?"

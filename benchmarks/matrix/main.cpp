@@ -1,6 +1,5 @@
 // tamis_matrix: asks cells of the matrix and prints a line of JSON for each.
 #include <fmt/format.h>
-#include <fnmatch.h>
 #include <malloc.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "benchmarks/timing.hpp"
+#include "files/mesh/wildcards.hpp"
 #include "matrix/cells.hpp"
 #include "matrix/scenes.hpp"
 #include "matrix/session.hpp"
@@ -28,6 +28,7 @@ tamis_matrix [--part PART] [--isa NAME] PATTERN...          asks each cell once:
 tamis_matrix [--isa NAME] --serve                           cells, one a line, on stdin; an empty line asks the last
                                                             one again, timed
 --threads N: of the detectors [1]. Times are processor time of one thread, of more the wall clock.
+--wall: the wall clock, whatever the threads: some systems count processor time in steps of ten milliseconds.
 Patterns as of the shell: 'kick*/x3/contacts/*'. A name is SCENE/xSCALE/QUESTION/STATE/dSEPARATION.
 Parts: night (all, the default), daily, quick; left-out: what takes too long even for the night (--list only).
 )";
@@ -84,12 +85,24 @@ void keep_memory() {
 
 void print(const nlohmann::ordered_json& row) { std::cout << row.dump() << std::endl; }
 
-void serve(const Options& options) {
+struct Arguments {
+  Options options{.threads = 1};
+  bool by_wall = false, lists = false, serves = false;
+  std::string part = "night";
+  std::vector<std::string> patterns;
+};
+
+/// With one thread the process's processor time, which other users of the machine do not change.
+clockid_t clock_of(const Arguments& asked) {
+  return asked.options.threads == 1 && !asked.by_wall ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC;
+}
+
+void serve(const Arguments& asked) {
   std::unique_ptr<Session> session;
   for (std::string line; std::getline(std::cin, line);) {
     if (!line.empty()) {
       const Cell cell = cell_from_name(line);
-      session = std::make_unique<Session>(cell, scene_named(cell.scene.name), options);
+      session = std::make_unique<Session>(cell, scene_named(cell.scene.name), asked.options, clock_of(asked));
       print(row_of(cell, session->run()));
     } else if (session) {
       print({{"ms", time(*session)}});
@@ -99,15 +112,8 @@ void serve(const Options& options) {
 
 bool fits(const std::string& name, const std::vector<std::string>& patterns) {
   return std::any_of(patterns.begin(), patterns.end(),
-                     [&](const std::string& p) { return fnmatch(p.c_str(), name.c_str(), 0) == 0; });
+                     [&](const std::string& p) { return io::matches(p, name, io::Brackets::are_sets); });
 }
-
-struct Arguments {
-  Options options{.threads = 1};
-  bool lists = false, serves = false;
-  std::string part = "night";
-  std::vector<std::string> patterns;
-};
 
 int number_from(const std::string& word) {
   int number = 0;
@@ -127,6 +133,8 @@ Arguments read(const std::vector<std::string>& words) {
       asked.options.threads = number_from(words[++i]);
     else if (words[i] == "--part" && has_value)
       asked.part = words[++i];
+    else if (words[i] == "--wall")
+      asked.by_wall = true;
     else if (words[i] == "--list")
       asked.lists = true;
     else if (words[i] == "--serve")
@@ -150,12 +158,12 @@ std::vector<Cell> cells_of(const Arguments& asked) {
 }
 
 void run(const Arguments& asked) {
-  if (asked.serves) return serve(asked.options);
+  if (asked.serves) return serve(asked);
   for (const Cell& cell : cells_of(asked))
     if (asked.lists)
       std::cout << name_of(cell) << '\n';
     else
-      print(row_of(cell, Session(cell, scene_named(cell.scene.name), asked.options).run()));
+      print(row_of(cell, Session(cell, scene_named(cell.scene.name), asked.options, clock_of(asked)).run()));
 }
 
 }  // namespace

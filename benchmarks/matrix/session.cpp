@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <ctime>
 #include <span>
 
 #include "benchmarks/mean_edge.hpp"
@@ -17,10 +16,9 @@ constexpr double kKeptFraction = 0.2;
 constexpr int kTrials = 8;
 constexpr int kSubsteps = 20;
 
-/// Wall-clock time; with one thread the process's processor time, which other users of the machine do not change.
-double seconds_now(int threads) {
+double seconds_by(clockid_t clock) {
   timespec now{};
-  clock_gettime(threads == 1 ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &now);
+  clock_gettime(clock, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
@@ -116,8 +114,8 @@ void add_counts(const Statistics& statistics, Outcome& outcome) {
 
 }  // namespace
 
-Session::Session(const Cell& cell, scenes::Scene scene, const Options& options)
-    : cell_(cell), scene_(std::move(scene)), mesh_(scene_.mesh()) {
+Session::Session(const Cell& cell, scenes::Scene scene, const Options& options, clockid_t clock)
+    : cell_(cell), scene_(std::move(scene)), mesh_(scene_.mesh()), clock_(clock) {
   scene_.end = on_the_way(scene_.start, scene_.end, cell.scale);
   options_.threads = options.threads;
   options_.isa = options.isa;
@@ -132,9 +130,9 @@ Session::Session(const Cell& cell, scenes::Scene scene, const Options& options)
 void Session::ask(Question question, const std::vector<Point>& start, const std::vector<Point>& end, Outcome& outcome) {
   const Step step{start, end};
   const auto timed = [&](const auto& question_of) {
-    const double before = seconds_now(options_.threads);
+    const double before = seconds_by(clock_);
     const auto& answer = question_of();
-    outcome.seconds.push_back(seconds_now(options_.threads) - before);
+    outcome.seconds.push_back(seconds_by(clock_) - before);
     add_answer(answer, outcome);
     add_counts(detector_->statistics(), outcome);
   };

@@ -1,15 +1,20 @@
 #!/usr/bin/env python3
-"""apple_runtime.py FOLDER: what zig links against, so that programs for macOS on ARM64 share the system's C++ exceptions.
+"""apple_runtime.py FOLDER: compilers for macOS 11 on ARM64, for cmake/zig.cmake, whose programs share the system's C++ exceptions.
 
-Runs by the Python of `scripts/pinned.sh python zig`. Makes in FOLDER: libapple_abi.tbd, a stub of /usr/lib/libc++abi.dylib, and
-libcxx_rest.a, the rest of zig's C++ library. nanobind's backend uses the system's libc++abi, and throws exceptions that the module
-catches. Link by `zig cc`, as `zig c++` adds a copy of libc++abi.
+Runs by the Python of `scripts/pinned.sh python zig`. nanobind's backend uses the system's libc++abi, and throws exceptions that the
+module catches. zig has no stub of it, and links a copy into each program. So `c++` here links as `zig cc` does, with a stub that has
+the names of that copy (libapple_abi.tbd), and with the rest of zig's C++ library (libcxx_rest.a).
 """
 
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
+
+import lief
+
+lief.logging.disable()  # it warns of what it does not read
 
 TARGET = "aarch64-macos.11.0"
 PARTS = ("___cxa", "___dynamic_cast", "___gxx", "__Z")
@@ -17,9 +22,12 @@ NEWER = {"___cxa_init_primary_exception"}  # not in macOS 11
 EXTERNAL = (0x0F, 0x1F)  # a symbol of a section, external; zig hides it
 
 
-def main() -> int:
-    import lief
+def write_tool(path: pathlib.Path, text: str) -> None:
+    path.write_text(f"#!/bin/sh\n{text}\n")
+    path.chmod(0o755)
 
+
+def main() -> int:
     folder = pathlib.Path(sys.argv[1]).resolve()
     (folder / "objects").mkdir(parents=True, exist_ok=True)
     zig = [sys.executable, "-m", "ziglang"]
@@ -35,6 +43,14 @@ def main() -> int:
         parsed = lief.MachO.parse(str(path))
         names |= {symbol.name for symbol in parsed.at(0).symbols if symbol.raw_type in EXTERNAL}
     kept = ", ".join(f"'{name}'" for name in sorted(names - NEWER) if name.startswith(PARTS))
+    linked = f"-s -L{folder} -lcxx_rest -lapple_abi"
+    for tool, command in {"cc": f"cc -target {TARGET}", "ar": "ar", "ranlib": "ranlib"}.items():
+        write_tool(folder / tool, f'exec {shlex.join(zig)} {command} "$@"')
+    write_tool(folder / "strip", "exit 0")  # the linker does it
+    write_tool(folder / "c++", f'''case " $* " in
+*" -c "*) exec {shlex.join(zig)} c++ -target {TARGET} "$@" ;;
+*) exec {folder}/cc "$@" {linked} ;;
+esac''')
     (folder / "libapple_abi.tbd").write_text(
         "--- !tapi-tbd\ntbd-version: 4\ntargets: [ arm64-macos ]\ninstall-name: '/usr/lib/libc++abi.dylib'\n"
         f"exports:\n  - targets: [ arm64-macos ]\n    symbols: [ {kept} ]\n...\n")

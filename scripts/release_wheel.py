@@ -16,8 +16,6 @@ import sysconfig
 import build_wheel as ordinary
 from build_wheel import ROOT, run
 
-TARGETS = {"linux-x86_64": "manylinux_2_28_x86_64", "linux-aarch64": "manylinux_2_28_aarch64"}
-
 # The licences of what is compiled in, by package of Debian. Boost's asks for no notice in compiled code, nor do those of GCC's
 # libraries (the runtime exception).
 LICENCES = {"libcli11-dev": "BSD-3-Clause", "libeigen3-dev": "MPL-2.0", "libfmt-dev": "MIT", "libmeshoptimizer-dev": "MIT",
@@ -55,23 +53,45 @@ def add_licences(wheel: pathlib.Path, work: pathlib.Path) -> None:
     run(python, "-m", "wheel", "pack", root, "--dest-dir", work / "shipped")
 
 
-def build(work: pathlib.Path, source: pathlib.Path, target: str, checks: pathlib.Path) -> None:
+def linux(work: pathlib.Path, target: str) -> "list[str]":
+    """Make what Debian's g++ links against; return definitions for CMake."""
     processor = target.partition("-")[2]
-    packages, glibc = work / f"packages-{target}", work / f"glibc-{target}"
-    run(sys.executable, "scripts/old_glibc.py", glibc, processor, cwd=ROOT)
-    defines = [f"CMAKE_TOOLCHAIN_FILE={ROOT}/cmake/manylinux.cmake", f"TAMIS_PROCESSOR={processor}", f"TAMIS_PACKAGES={packages}",
-               f"TAMIS_OLD_GLIBC={glibc}"]
+    run("scripts/old_glibc.py", work / f"glibc-{target}", processor, cwd=ROOT)
+    return [f"CMAKE_TOOLCHAIN_FILE={ROOT}/cmake/manylinux.cmake", f"TAMIS_PROCESSOR={processor}",
+            f"TAMIS_PACKAGES={work}/packages-{target}", f"TAMIS_OLD_GLIBC={work}/glibc-{target}"]
+
+
+def macos(work: pathlib.Path, target: str) -> "list[str]":
+    """Make zig's compilers; return definitions for CMake."""
+    python = run("scripts/pinned.sh", "python", "zig", cwd=ROOT).strip()
+    run(python, "scripts/apple_runtime.py", work / "zig", cwd=ROOT)
+    (nanobind,) = (work / "tools").glob("lib/python*/site-packages/nanobind/cmake")
+    return [f"CMAKE_TOOLCHAIN_FILE={ROOT}/cmake/zig.cmake", f"TAMIS_ZIG={work}/zig", "TAMIS_ZIG_SYSTEM=Darwin",
+            "TAMIS_ZIG_PROCESSOR=arm64", f"TAMIS_ZIG_PACKAGES={work}/packages-{target}", f"CMAKE_STRIP={work}/zig/strip",
+            f"nanobind_DIR={nanobind}"]
+
+
+def build(work: pathlib.Path, source: pathlib.Path, target: str, checks: pathlib.Path) -> None:
+    system, tag = TARGETS[target]
+    packages, defines = work / f"packages-{target}", system(work, target)
     run("scripts/static_packages.sh", packages, "--tbb", "--zlib", *(f"-D{each}" for each in defines), cwd=ROOT)
     python = copy_python(packages / "python")
     raw = ordinary.compile_wheel(
         work, source, f"raw-{target}",
         [*defines, f"Python_INCLUDE_DIR={python}", "TAMIS_TBB=ON", "CMAKE_UNITY_BUILD_BATCH_SIZE=0"], objects=f"objects-{target}")
-    run(work / "tools/bin/python", "-m", "wheel", "tags", "--remove", "--platform-tag", f"linux_{processor}", raw)
+    plain = tag.replace("manylinux_2_28", "linux")
+    run(work / "tools/bin/python", "-m", "wheel", "tags", "--remove", "--platform-tag", plain, raw)
     (raw,) = raw.parent.glob("*.whl")
-    run(checks / "auditwheel", "repair", "--plat", TARGETS[target], "--only-plat", "--wheel-dir", raw.parent, raw,
-        env={**os.environ, "PATH": f"{checks}:{os.environ['PATH']}"})
-    (repaired,) = raw.parent.glob("*manylinux*.whl")
-    add_licences(repaired, work)
+    if plain != tag:  # checks, too, that the wheel keeps what its name says
+        run(checks / "auditwheel", "repair", "--plat", tag, "--only-plat", "--wheel-dir", raw.parent, raw,
+            env={**os.environ, "PATH": f"{checks}:{os.environ['PATH']}"})
+        raw.unlink()
+        (raw,) = raw.parent.glob("*.whl")
+    add_licences(raw, work)
+
+
+TARGETS = {"linux-x86_64": (linux, "manylinux_2_28_x86_64"), "linux-aarch64": (linux, "manylinux_2_28_aarch64"),
+           "macos-arm64": (macos, "macosx_11_0_arm64")}
 
 
 def check(work: pathlib.Path, checks: pathlib.Path) -> None:

@@ -10,6 +10,6 @@ for set in zig wheels; do
 done
 scripts/setup.sh --wheels || { echo "skipped: Debian's compilers cannot be had"; exit 77; }
 work=$PWD/build/wheels
-python3 scripts/release_wheel.py "$work" linux-x86_64 linux-aarch64
+python3 scripts/release_wheel.py "$work" linux-x86_64 linux-aarch64 macos-arm64
 mkdir -p "$out"
 cp "$work"/shipped/* "$out"

@@ -118,7 +118,7 @@ def compile_wheel(
 ) -> pathlib.Path:
     """Build the wheel into WORK/name; its objects stay in WORK/objects for the next time, and for the other wheel."""
     shutil.rmtree(work / name, ignore_errors=True)
-    options = [f"-Ccmake.define.{define}" for define in (f"TAMIS_PYTHON_MPI={mpi}", "TAMIS_PYTHON_COMMAND=ON", *defines)]
+    options = [f"-Ccmake.define.{define}" for define in (f"TAMIS_PYTHON_MPI={mpi}", *defines)]
     run(work / "tools/bin/python", "-m", "build", "--wheel", "--no-isolation", "--outdir", work / name,
         f"-Cbuild-dir={work / objects}", *options, source, env=search_path(work))
     (wheel,) = (work / name).glob("*.whl")

@@ -14,7 +14,7 @@ import build_wheel as ordinary
 
 REQUIREMENTS = ordinary.ROOT / "bindings" / "python" / "requirements-hosts.txt"
 # Packages that only the tests need.
-TESTS_NEED = {"newton": ["usd-core"], "blender": ["bpy"]}
+TESTS_NEED = {"newton": ["usd-core"], "blender": ["bpy"], "robots": ["example-robot-data", "yourdfpy"]}
 # bpy needs an older NumPy than the one that bindings/python/requirements.txt pins.
 UNPINNED = ("blender",)
 

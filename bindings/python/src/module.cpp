@@ -41,6 +41,7 @@ NB_MODULE(_core, module) {
   bind_paths(module);
   bind_poses(module);
   bind_shape(module);
+  bind_linkage(module);
   bind_world(module);
   bind_files(module);
   bind_scenes(module);

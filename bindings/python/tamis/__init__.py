@@ -46,6 +46,8 @@ from tamis._tables._contacts import Contact, Contacts
 from tamis._tables._near import Intersection, Intersections, NearPair, NearPairs
 from tamis._weld import weld
 from tamis._world._bodies import Deforming, Shape
+from tamis._world._edges import EdgeAnswers, FirstBadEdge, FreeRoadmap
+from tamis._world._linkage import Linkage
 from tamis._world._tables import (
     BodyContact,
     BodyContacts,
@@ -94,8 +96,11 @@ __all__ = [
     "EarliestBodyContact",
     "EarliestContact",
     "EarliestMany",
+    "EdgeAnswers",
     "Error",
     "FileError",
+    "FirstBadEdge",
+    "FreeRoadmap",
     "FunctionPath",
     "Intersection",
     "Intersections",
@@ -103,6 +108,7 @@ __all__ = [
     "InvalidOptions",
     "InvalidPath",
     "InvalidStep",
+    "Linkage",
     "Mesh",
     "MeshFile",
     "Motion",

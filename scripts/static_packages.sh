@@ -31,6 +31,8 @@ zlib() {
 cmake_minimum_required(VERSION 3.20)
 project(zlib C)
 add_library(z STATIC adler32.c compress.c crc32.c deflate.c inffast.c inflate.c inftrees.c trees.c uncompr.c zutil.c)
+target_compile_definitions(z PRIVATE fdopen=fdopen)  # zutil.h takes a new Mac for an old one, without this function
+target_compile_options(z PRIVATE -w)
 install(TARGETS z)
 install(FILES zlib.h zconf.h DESTINATION include)
 END

@@ -41,9 +41,9 @@ def test_no_library_is_shared_but_the_systems() -> None:
     [
         ("sys.modules['nanobind_backend'] = None", "'pip install nanobind-backend'"),
         ("sys._tamis_version = '9.9.9'", "this process has loaded tamis 9.9.9 already: start a new process"),
-        ("sys.version_info = (3, 9, 18)", "CPython 3.10 or newer with a GIL, and .* is cpython 3.9: use another Python"),
+        ("sys.version_info = (3, 9, 18)", "CPython 3.10 or newer with a GIL, and .* is cpython 3.9: use"),
         ("sys.implementation.name = 'pypy'", "CPython 3.10 or newer with a GIL, and .* is pypy 3"),
-        ("import sysconfig; sysconfig.get_config_vars()['Py_GIL_DISABLED'] = 1", "3.* without a GIL: use another Python"),
+        ("import sysconfig; sysconfig.get_config_vars()['Py_GIL_DISABLED'] = 1", "3.* without a GIL: use"),
         ("sys.modules['tamis._core'] = None", "has no compiled part for this Python: pip install --force-reinstall"),
         (
             "import types; sys.modules['tamis._version'] = types.SimpleNamespace(VERSION='9.9.9')",

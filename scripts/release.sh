@@ -69,14 +69,19 @@ elsewhere() {
   local rc=0
   "$1" "$work/part" || rc=$?
   case $rc in
-    0) cp "$work"/part/* "$out" ;;
+    0)
+      for file in "$work"/part/*; do
+        [[ ! -e $out/${file##*/} ]] || { echo "release.sh: $1 makes a second ${file##*/}" >&2; exit 1; }
+        cp "$file" "$out"
+      done
+      ;;
     77) left_out+=("$1 was skipped") ;;
     *) echo "release.sh: $1 ended with $rc" >&2; exit 1 ;;
   esac
   rm -rf "$work/part"
 }
 
-git archive --format=tar --prefix="$name/" HEAD | gzip -9n >"$out/$name.tar.gz"
+git archive --format=tar --prefix="$name/" HEAD | gzip -9n >"$out/$name-sources.tar.gz"  # without -sources: Python's
 awk -v title="## $version" 'index($0, "## ") == 1 { on = index($0, title) == 1 } on' CHANGELOG.md >"$out/CHANGES.md"
 if [[ ! -s $out/CHANGES.md ]]; then
   left_out+=("CHANGELOG.md has no part '## $version': CHANGES.md has its part 'Unreleased'")

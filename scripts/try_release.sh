@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# try_release.sh FOLDER: in a root that has nothing yet (scripts/try_in_root.sh), installs each package of a release in FOLDER as its
+# try_release.sh FOLDER [PART...]: in a root that has nothing yet (scripts/try_in_root.sh), installs each package of a release in FOLDER as its
 # users do, and runs the README's example with it: Debian's by apt, the wheel by pip, npm's file by npm, the crate by cargo add
 # --path, and the recipe of Conan from the archive of the sources. A package that the release lacks is named, and so is Debian 12's
-# cargo, which is too old. Takes some ten minutes.
+# cargo, which is too old. Takes some ten minutes; PARTs are by_apt, by_pip, by_npm, by_cargo and by_conan.
 set -euo pipefail
 folder=$(realpath "$1")
 cd "$(dirname "$0")/.."
@@ -11,7 +11,7 @@ export DEBIAN_FRONTEND=noninteractive
 install() { apt-get install -q -y --no-install-recommends "$@" >/dev/null; }
 left_out=()
 work=$(mktemp -d)
-tar -C "$work" -xzf "$folder"/tamis-*.*.*[0-9].tar.gz
+tar -C "$work" -xzf "$folder"/tamis-*-sources.tar.gz
 sources=$(echo "$work"/tamis-*)
 
 by_pip() {
@@ -48,17 +48,17 @@ by_conan() {
   "$sources/scripts/test_conan.sh" shared=False
 }
 
-try() {
-  if [[ -n $2 && ! -e $2 ]]; then left_out+=("$1: the release has none"); return; fi
-  cd "$root"
-  "$1" "$2"
-  cd "$root"
-  echo "try_release: $1 works"
-}
+by_apt() { scripts/try_debs.sh "$folder"; }
 
-scripts/try_debs.sh "$folder"
-try by_pip "$(ls "$folder"/tamis-*.whl 2>/dev/null | grep "$(uname -m)" || echo "$folder/tamis.whl")"
-try by_npm "$(echo "$folder"/tamis-*.tgz)"
-try by_cargo "$(echo "$folder"/tamis-*.crate)"
-try by_conan ""
+parts=("${@:2}")
+((${#parts[@]})) || parts=(by_apt by_pip by_npm by_cargo by_conan)
+declare -A file=([by_apt]=$(echo "$folder"/libtamis0*.deb) [by_pip]=$(echo "$folder"/tamis-*"$(uname -m)".whl)
+  [by_npm]=$(echo "$folder"/tamis-*.tgz) [by_cargo]=$(echo "$folder"/tamis-*.crate) [by_conan]=$folder)
+apt-get update -q >/dev/null
+for part in "${parts[@]}"; do
+  cd "$root"
+  if [[ ! -e ${file[$part]} ]]; then left_out+=("$part: the release has none"); continue; fi
+  "$part" "${file[$part]}"
+  echo "try_release: $part is done"
+done
 ((${#left_out[@]} == 0)) || printf 'try_release: left out: %s\n' "${left_out[@]}"

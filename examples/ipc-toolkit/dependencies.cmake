@@ -5,7 +5,7 @@ foreach(option SIMD ROBIN_MAP ABSEIL FILIB)
 endforeach()
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(TBB REQUIRED)
-find_package(spdlog REQUIRED)
+add_subdirectory(${IPC_DEPENDENCIES}/spdlog spdlog EXCLUDE_FROM_ALL)
 
 function(headers_alone name folder)
   string(REPLACE "::" "_" target ${name})

@@ -57,12 +57,36 @@ double sure_volume(const Point& a, const Point& b, const Point& c, const Point& 
   return std::fabs(volume) > bound ? volume : 0;
 }
 
+/// The sides of a plane on which the corners of a triangle surely are: 1, -1, or 0.
+std::array<int, 3> sure_sides(const Triangle& plane, const Triangle& t, double error) {
+  std::array<int, 3> sides{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double volume = sure_volume(plane[0], plane[1], plane[2], t[i], error);
+    sides[i] = volume > 0 ? 1 : volume < 0 ? -1 : 0;
+  }
+  return sides;
+}
+
+/// True if the line through p and q surely passes through the triangle.
 bool surely_passes(const Point& p, const Point& q, const Triangle& t, double error) {
-  const double at_p = sure_volume(t[0], t[1], t[2], p, error), at_q = sure_volume(t[0], t[1], t[2], q, error);
-  if (!((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0))) return false;
-  const double x = sure_volume(p, q, t[0], t[1], error), y = sure_volume(p, q, t[1], t[2], error),
-               z = sure_volume(p, q, t[2], t[0], error);
-  return (x > 0 && y > 0 && z > 0) || (x < 0 && y < 0 && z < 0);
+  const double x = sure_volume(p, q, t[0], t[1], error);
+  const double y = x != 0 ? sure_volume(p, q, t[1], t[2], error) : 0;
+  if (!((x > 0 && y > 0) || (x < 0 && y < 0))) return false;
+  const double z = sure_volume(p, q, t[2], t[0], error);
+  return (x > 0 && z > 0) || (x < 0 && z < 0);
+}
+
+/// True if an edge of `a` surely passes through `b`. `sides`: of the corners of `a`.
+bool has_edge_through(const Triangle& a, const std::array<int, 3>& sides, const Triangle& b, double error) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    if (sides[i] * sides[next] < 0 && surely_passes(a[i], a[next], b, error)) return true;
+  }
+  return false;
+}
+
+bool are_on_one_side(const std::array<int, 3>& sides) {
+  return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2];
 }
 
 }  // namespace
@@ -143,11 +167,11 @@ Gap gap_of(const Triangle& a, const Triangle& b) {
 }
 
 bool surely_meet(const Triangle& a, const Triangle& b, double error) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (surely_passes(a[i], a[(i + 1) % 3], b, error)) return true;
-    if (surely_passes(b[i], b[(i + 1) % 3], a, error)) return true;
-  }
-  return false;
+  const std::array<int, 3> of_a = sure_sides(b, a, error);
+  if (are_on_one_side(of_a)) return false;
+  const std::array<int, 3> of_b = sure_sides(a, b, error);
+  if (are_on_one_side(of_b)) return false;
+  return has_edge_through(a, of_a, b, error) || has_edge_through(b, of_b, a, error);
 }
 
 }  // namespace tamis

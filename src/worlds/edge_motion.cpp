@@ -53,7 +53,34 @@ BodyOnEdge::BodyOnEdge(const BodyShape& shape, bool stays)
       size_(shape.boxes[at(shape.tree.root())].largest_sum()),
       stays_(stays),
       edge_of_(stays ? 1 : kTimes),
-      places_(edge_of_.size()) {}
+      places_(edge_of_.size()),
+      boxes_(shape.boxes.begin(), shape.boxes.end()),
+      leaves_(at(shape.tree.leaf_count()) * (stays ? 1 : 3)) {}
+
+Triangle BodyOnEdge::corners_at(const RoundedTransform& place, Index item) const {
+  const Face corners = shape_->corners_of(item);
+  Triangle found;
+  for (std::size_t k = 0; k < 3; ++k) found[k] = place.of(shape_->points[at(corners[k])]);
+  return found;
+}
+
+const PlacedLeaf& BodyOnEdge::leaf_at(std::size_t time, const RoundedTransform& place, Index leaf, std::size_t slot) {
+  if (stays_) time = 0;
+  std::unique_ptr<PlacedLeaf>& kept = leaves_[stays_ ? at(leaf) : 3 * at(leaf) + slot];
+  if (!kept) kept = std::make_unique<PlacedLeaf>();
+  if (kept->edge == edge_ && kept->time == time) return *kept;
+  kept->edge = edge_;
+  kept->time = time;
+  kept->all = {};
+  const auto items = shape_->tree.items_of(leaf);
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    kept->corners[k] = corners_at(place, items[k]);
+    kept->boxes[k] = {};
+    for (const Point& corner : kept->corners[k]) kept->boxes[k].include(corner);
+    kept->all.include(kept->boxes[k]);
+  }
+  return *kept;
+}
 
 /// Along a direction of length 1 the errors of three axes add up to less than 2 of one. Questions take vertices that go
 /// straight where their ends round to doubles, off by as much again. Projections of places and of boxes are sums of

@@ -1,10 +1,12 @@
 // Where the bodies of a linkage are at times of an edge, and how far their curves bend. Each is computed once.
 #pragma once
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include "worlds/body.hpp"
 #include "worlds/linkage_tree.hpp"
+#include "worlds/middle_box.hpp"
 
 namespace tamis {
 
@@ -38,6 +40,15 @@ class Bend {
   double acceleration_ = 0, acceleration_slope_ = 0, orbit_ = 0, orbit_slope_ = 0;
 };
 
+/// The items of a leaf at one time.
+struct PlacedLeaf {
+  std::uint64_t edge = 0;
+  std::size_t time = 0;
+  std::array<Triangle, kBlock> corners;
+  std::array<Box, kBlock> boxes;
+  Box all;
+};
+
 /// A body as a frame sees it: its shape, its places, its bend.
 class BodyOnEdge {
  public:
@@ -45,6 +56,8 @@ class BodyOnEdge {
   BodyOnEdge(const BodyShape& shape, bool stays);
 
   const BodyShape& shape() const { return *shape_; }
+  /// The box of a node.
+  const MiddleBox& box(Index node) const { return boxes_[static_cast<std::size_t>(node)]; }
   /// To be called for each edge on which the body moves in another way.
   void begin(const Bend& bend) {
     bend_ = bend;
@@ -61,6 +74,10 @@ class BodyOnEdge {
     return places_[time];
   }
 
+  Triangle corners_at(const RoundedTransform& place, Index item) const;
+  /// The items of a leaf at a time. `slot` 0 to 2: each keeps a leaf until it is wanted at another time.
+  const PlacedLeaf& leaf_at(std::size_t time, const RoundedTransform& place, Index leaf, std::size_t slot);
+
  private:
   PlaceOnEdge with_margin(const RoundedTransform& place) const;
 
@@ -71,6 +88,8 @@ class BodyOnEdge {
   std::uint64_t edge_ = 1;
   std::vector<std::uint64_t> edge_of_;  ///< for which edge each place was computed
   std::vector<PlaceOnEdge> places_;
+  std::vector<MiddleBox> boxes_;  ///< of its nodes
+  std::vector<std::unique_ptr<PlacedLeaf>> leaves_;  ///< three of each, unless it stays; null until requested
 };
 
 /// The links of a linkage along one edge after the other.

@@ -54,12 +54,19 @@ class EdgeProver {
   };
   /// A pair on a piece: its bodies at both ends and in the middle.
   struct Piece {
-    const BodyOnEdge *a, *b;
+    BodyOnEdge *a, *b;
     std::array<const PlaceOnEdge*, 3> at_a, at_b;
     std::array<double, 3> margin;
     double separation;
     int level;
-    std::size_t middle;  ///< its time
+    std::array<std::size_t, 3> times;
+
+    const PlacedLeaf& leaf_of_a(Index leaf, std::size_t i) const {
+      return a->leaf_at(times[i], at_a[i]->place, leaf, i);
+    }
+    const PlacedLeaf& leaf_of_b(Index leaf, std::size_t i) const {
+      return b->leaf_at(times[i], at_b[i]->place, leaf, i);
+    }
 
     double deviation(double reach_a, double reach_b) const {
       return a->bend().deviation(reach_a, level) + b->bend().deviation(reach_b, level);
@@ -78,18 +85,24 @@ class EdgeProver {
   const PlaceOnEdge& place_of(const Pair& pair, bool is_second, std::size_t time);
   BodyOnEdge& body_of(const Pair& pair, bool is_second);
   Piece piece_of(const Task& task, int level);
+  Piece piece_at(const Pair& pair, const std::array<std::size_t, 3>& times, int level);
   Box hull_of(std::size_t carried);
+  bool collides_somewhere();
+  /// Looks for triangles that surely pass through each other at a time.
+  void probe_all(std::size_t time);
   /// Tests the items of a task. Adds those that are not proven to next_.
   void prove(const Task& task, int level);
   void visit(const Piece& piece, const Item& item);
   void visit_leaves(const Piece& piece, const Item& leaves);
   void visit_items(const Piece& piece, const Item& items);
+  static bool splits_first(const Piece& piece, const Item& item);
   template <class F>
-  void for_each_part(const Piece& piece, const Item& item, bool is_a_larger, const F& f);
+  static void for_each_part(const Piece& piece, const Item& item, bool splits_a, const F& f);
+  static double support(const BodyOnEdge& body, const RoundedTransform& place, Index leaf, const Point& direction);
+  static bool may_meet_in_middle(const Piece& piece, const Item& item);
   void probe(const Piece& piece, const Item& item);
   void probe_leaves(const Piece& piece, const Item& leaves);
   void collide(const Piece& piece);
-  static Triangle corners_at(const BodyOnEdge& body, const PlaceOnEdge& place, Index item);
   void conclude();
 
   const BodyList& bodies_;
@@ -104,6 +117,7 @@ class EdgeProver {
   std::vector<std::vector<std::unique_ptr<BodyOnEdge>>> frames_;  ///< by frame + 1, then place in the linkage
   BodyTree still_;
   bool ends_at_collision_ = false;
+  bool stays_ = false;  ///< the edge leads nowhere
   std::size_t first_collision_ = kTimes;  ///< a time at which a pair surely collides
   std::vector<Pair> pairs_;
   std::vector<Item> front_, next_, stack_;

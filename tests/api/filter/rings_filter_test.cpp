@@ -129,7 +129,7 @@ std::uint64_t memory_of(const Scene& scene, Options options) {
 // Bug: the memory that a detector reports lacks that of neighbours, groups and radii.
 TEST(Memory, NeighboursGroupsAndRadiiCount) {
   const Scene scene = scenes::scene_by_name("folded-cloth", 3000, 3);
-  const auto vertices = static_cast<std::uint64_t>(scene.vertex_count());
+  const auto vertices = static_cast<std::size_t>(scene.vertex_count());
   const std::uint64_t plain = memory_of(scene, {});
   Options options;
   options.filter.rings = 2;

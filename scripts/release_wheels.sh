@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# release_wheels.sh FOLDER: puts the wheels for Python and the source distribution (-python.tar.gz) into FOLDER. scripts/release_wheel.py says how they are
+# release_wheels.sh FOLDER: puts the wheels for Python and the source distribution into FOLDER. scripts/release_wheel.py says how they are
 # made and checked. Exit code 77 if the compilers or the packages of PyPI cannot be had.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -12,7 +12,4 @@ scripts/setup.sh --wheels || { echo "skipped: Debian's compilers cannot be had";
 work=$PWD/build/wheels
 python3 scripts/release_wheel.py "$work" linux-x86_64 linux-aarch64 macos-arm64
 mkdir -p "$out"
-cp "$work"/shipped/*.whl "$out"
-for source in "$work"/shipped/*.tar.gz; do  # the archive of all sources has the name that the index wants
-  cp "$source" "$out/$(basename "$source" .tar.gz)-python.tar.gz"
-done
+cp "$work"/shipped/* "$out"

@@ -88,7 +88,7 @@ class BodyOnEdge {
   std::uint64_t edge_ = 1;
   std::vector<std::uint64_t> edge_of_;  ///< for which edge each place was computed
   std::vector<PlaceOnEdge> places_;
-  std::vector<MiddleBox> boxes_;  ///< of its nodes
+  std::vector<MiddleBox> boxes_;                     ///< of its nodes
   std::vector<std::unique_ptr<PlacedLeaf>> leaves_;  ///< three of each, unless it stays; null until requested
 };
 

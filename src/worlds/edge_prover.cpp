@@ -382,7 +382,8 @@ void EdgeProver::visit_leaves(const Piece& piece, const Item& leaves) {
 void EdgeProver::visit_items(const Piece& piece, const Item& items) {
   const Index item_a = -1 - items.a, item_b = -1 - items.b;
   const auto corners = [&](std::size_t i) {
-    return std::pair(piece.a->corners_at(piece.at_a[i]->place, item_a), piece.b->corners_at(piece.at_b[i]->place, item_b));
+    return std::pair(piece.a->corners_at(piece.at_a[i]->place, item_a),
+                     piece.b->corners_at(piece.at_b[i]->place, item_b));
   };
   const auto [a, b] = corners(1);
   const Gap gap = gap_of(a, b);

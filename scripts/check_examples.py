@@ -13,10 +13,12 @@ PAGES = {
     "docs/cpp.md": ["before_step_one.cpp", "near.cpp", "response.cpp", "line_search.cpp", "simulation_loop.cpp", "objects.cpp",
                     "at_start.cpp"],
     "docs/plane.md": ["plane.cpp"],
-    "docs/worlds.md": ["world.cpp", "bodies.cpp", "static_bodies.cpp", "robot.py"],
+    "bindings/npm/README.md": ["hello.mjs"],
+    "docs/worlds.md": ["world.cpp", "bodies.cpp", "static_bodies.cpp", "edges.py"],
+    "docs/planners.md": ["plan.py"],
 }
 # A program, and behind it what it prints.
-QUOTED = re.compile(r"^```(?:cpp|c|python)\n(.*?)^```$(.*?)^```text\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+QUOTED = re.compile(r"^```(?:cpp|c|python|js)\n(.*?)^```$(.*?)^```text\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
 
 def main() -> int:
@@ -25,7 +27,7 @@ def main() -> int:
     for page, programs in PAGES.items():
         text = (root / page).read_text()
         quoted = list(QUOTED.finditer(text))
-        if len(quoted) != len(programs) or len(re.findall(r"^```(?:cpp|c|python)$", text, re.MULTILINE)) != len(programs):
+        if len(quoted) != len(programs) or len(re.findall(r"^```(?:cpp|c|python|js)$", text, re.MULTILINE)) != len(programs):
             wrong.append(f"{page}: quotes other programs than {programs}: each is followed by a block of text")
             continue
         for found, name in reversed(list(zip(quoted, programs))):
@@ -35,7 +37,7 @@ def main() -> int:
                     text = text[:found.start(group)] + source.read_text() + text[found.end(group):]
         if "--fix" in sys.argv[1:]:
             (root / page).write_text(text)
-    files = {path.name for path in folder.iterdir() if path.suffix in (".cpp", ".c", ".py")}
+    files = {path.name for path in folder.iterdir() if path.suffix in (".cpp", ".c", ".py", ".mjs")}
     wrong += [f"examples/{name}: no page quotes it" for name in sorted(files - {n for names in PAGES.values() for n in names})]
     print("\n".join(wrong) or "pages quote the programs of examples/")
     return 1 if wrong else 0

@@ -15,7 +15,7 @@ NOT_QUESTIONS = {
     *("bench", "info", "scene", "view"),
 }
 NOT_QUESTIONS_IN_C = re.compile(
-    r"_(create|(?<!_is_)free|message|statistics|copy_\w+|(?<!world_)points_at|add|move|remove|set_\w+)$|^tamis_(mesh_|version|has_threads|turned_|chain_|nlerp_|pose_(of_|at)|weights_of)"
+    r"_(create|(?<!_is_)(?<!_are_)free|dimension|message|statistics|copy_\w+|(?<!world_)points_at|add|move|remove|set_\w+)$|^tamis_(mesh_|version|has_threads|turned_|chain_|nlerp_|pose_(of_|at)|weights_of)"
 )
 POSITIONS_IN_C = {"start", "end", "start_stride", "end_stride", "vertex_count"}
 

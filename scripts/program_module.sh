@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# program_module.sh: builds the module of the site's first page, tools/program/dist/module.js. --check: fails unless the committed
-# module is what the sources give, byte for byte. Both need the pinned emscripten, which Debian 13 has (scripts/setup.sh --wasm); as a
-# check it exits with 77 without it. scripts/test_wasm.sh checks at night.
+# program_module.sh: builds the module of the site's first page and of the package of npm, tools/program/dist/module.js.
+# --check: fails unless the committed module is what the sources give, byte for byte. Both need the pinned emscripten, which Debian 13
+# has (scripts/setup.sh --wasm); as a check it exits with 77 without it. scripts/test_wasm.sh checks at night.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -18,11 +18,11 @@ if ! em++ --version 2>/dev/null | grep -qF " $pinned "; then
 fi
 
 cmake --preset wasm >/dev/null
-cmake --build --preset wasm --target tamis_program
+cmake --build --preset wasm --target tamis_wasm
 if [[ ${1:-} == --check ]]; then
-  node tools/program/module.mjs same $build/tools/program
+  node tools/program/module.mjs same $build/bindings/wasm
   echo "the module is what the sources give, byte for byte"
   exit
 fi
-node tools/program/module.mjs pack $build/tools/program
+node tools/program/module.mjs pack $build/bindings/wasm
 echo "tools/program/dist/module.js: $(wc -c <tools/program/dist/module.js) bytes"

@@ -2,7 +2,7 @@
 # release.sh VERSION [--cheap] [FOLDER]: makes all files of a release from a clean clone of HEAD, in FOLDER (build/release/VERSION):
 # the archive of the sources, Debian packages, an archive for Linux, the DLL for Windows, wheels, crate and npm package; what changed,
 # CITATION.cff, a bill of materials, and the SHA-256 of each file. It uploads nothing. The same commit gives the same bytes.
-#   --cheap   only what needs no build
+#   --cheap   only what needs no build: archive, crate, npm package
 # A part whose tools are missing is named at the end. VERSION is that of CMakeLists.txt: scripts/check_version.py.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -13,6 +13,7 @@ cheap=
 if [[ ${1:-} == --cheap ]]; then cheap=yes; shift; fi
 out=$(realpath -m "${1:-build/release/$version}")
 packages=$PWD/build/windows-packages  # what scripts/test_windows.sh gathered before, if it did
+modules=$PWD/tools/viewer/node_modules
 python3 scripts/check_version.py "$version"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -68,14 +69,19 @@ elsewhere() {
   local rc=0
   "$1" "$work/part" || rc=$?
   case $rc in
-    0) cp "$work"/part/* "$out" ;;
+    0)
+      for file in "$work"/part/*; do
+        [[ ! -e $out/${file##*/} ]] || { echo "release.sh: $1 makes a second ${file##*/}" >&2; exit 1; }
+        cp "$file" "$out"
+      done
+      ;;
     77) left_out+=("$1 was skipped") ;;
     *) echo "release.sh: $1 ended with $rc" >&2; exit 1 ;;
   esac
   rm -rf "$work/part"
 }
 
-git archive --format=tar --prefix="$name/" HEAD | gzip -9n >"$out/$name.tar.gz"
+git archive --format=tar --prefix="$name/" HEAD | gzip -9n >"$out/$name-sources.tar.gz"  # without -sources: Python's
 awk -v title="## $version" 'index($0, "## ") == 1 { on = index($0, title) == 1 } on' CHANGELOG.md >"$out/CHANGES.md"
 if [[ ! -s $out/CHANGES.md ]]; then
   left_out+=("CHANGELOG.md has no part '## $version': CHANGES.md has its part 'Unreleased'")
@@ -83,10 +89,12 @@ if [[ ! -s $out/CHANGES.md ]]; then
 fi
 [[ -s $out/CHANGES.md ]] || { echo "release.sh: CHANGELOG.md has neither a part '## $version' nor '## Unreleased'" >&2; exit 1; }
 cp CITATION.cff "$out"
+[[ ! -e $modules ]] || ln -s "$modules" tools/viewer/node_modules
+for part in crate npm; do elsewhere scripts/release_$part.sh; done
 if [[ -z $cheap ]]; then
   linux
   windows
-  for part in wheels crate npm; do elsewhere scripts/release_$part.sh; done
+  elsewhere scripts/release_wheels.sh
 fi
 python3 scripts/sbom.py "$version" "$commit" "$SOURCE_DATE_EPOCH" "$out"/* >"$work/sbom.json"
 cp "$work/sbom.json" "$out/$name.cdx.json"

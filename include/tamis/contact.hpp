@@ -48,14 +48,14 @@ struct Contact {
   ///   just before they touch. If all points stay in one plane, the face has no area or the edges are parallel: the
   ///   direction between the closest points.
   /// - Features that share a point at t=0 count as having come against their motion. If they are at rest it is the
-  ///   normal, on either side, or any unit vector where there is no normal.
+  ///   normal, on either side. If the normal is zero, it is any unit vector.
   Point normal;
 };
 
 /// Returns both features of a pair, the first one first. Of a face it returns its place in Mesh::faces(), of an edge
 /// its place in Mesh::edges(), of a vertex its index. For callers who keep data by feature: Contact and NearPair name
-/// vertices. Mesh::edges() has an order of its own, which another library's list of edges need not have.
-/// Mesh::find_edge leads from one to the other.
+/// vertices. Another library may list edges in another order than Mesh::edges(). Mesh::find_edge leads from one to the
+/// other.
 /// Throws InvalidMesh if the mesh has no such vertex, edge or face, or if there is no such kind. A face with its
 /// vertices in another order is not found.
 [[nodiscard]] std::array<Index, 2> features_of(const Mesh& mesh, PairKind kind, const std::array<Index, 4>& vertices);
@@ -69,11 +69,11 @@ struct Contact {
 
 /// Answer to "how far may the step go?".
 struct EarliestContact {
-  /// The motion is free on [0, toi_lower): proven. Where very many pairs touch at one time, it may lie up to 2^-37 of
-  /// itself before the contact's own toi_lower. 1, and no contact, if the whole step is free. 0 only if a pair touches
-  /// at t=0 (and is not ignored), or sooner than at any positive double (toi_upper > 0). This is a time, not a
-  /// position. The position start + toi_lower (end - start), rounded to doubles, may touch. Detector::truncate returns
-  /// positions to go to.
+  /// Proven: the motion is free on [0, toi_lower). Where very many pairs touch at one time, it may lie up to 2^-37 of
+  /// itself before the contact's own toi_lower. It is 1, with no contact, if the whole step is free. It is 0 only if a
+  /// pair touches at t=0 (and is not ignored), or sooner than at any positive double (toi_upper > 0). This is a time,
+  /// not a position. The position start + toi_lower (end - start), rounded to doubles, may touch. Detector::truncate
+  /// returns positions to go to.
   double toi_lower = 1;
   /// A certified contact happens at or before this time. 1 if no contact is certified. On a path all contacts may be
   /// unresolved.

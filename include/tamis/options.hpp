@@ -34,7 +34,7 @@ enum class AtStart : std::uint8_t {
 /// Returns the name of a mode.
 [[nodiscard]] std::string_view name_of(AtStart);
 /// Returns true if questions have threads of their own: oneTBB's. Returns false if the library was built without
-/// oneTBB. Then a question without a parallel_for runs on the thread that asks, whatever Options::threads says.
+/// oneTBB. Then a question without a parallel_for runs on the calling thread, whatever Options::threads says.
 [[nodiscard]] bool has_threads();
 /// name_of returns this for a value outside the enumeration.
 inline constexpr std::string_view kUnnamed = "unknown";
@@ -91,7 +91,7 @@ struct Options {
   /// threads. Once it returns true, the question throws Cancelled. The detector answers the next question as usual.
   std::function<bool()> is_cancelled = nullptr;
   /// An engine's threads: questions run their loops by this function, on `threads` threads (0: one a core). Called by
-  /// the thread that asks, never from within a body, and not if `threads` is 1. Empty: oneTBB's threads.
+  /// the calling thread, never from within a body, and not if `threads` is 1. Empty: oneTBB's threads.
   ParallelFor parallel_for = nullptr;
 };
 

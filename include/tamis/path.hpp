@@ -14,7 +14,7 @@ namespace tamis {
 /// A position more precise than a double: high + low, off by at most `error` on each axis.
 struct FinePoint {
   Point high{0, 0, 0};  ///< leading doubles
-  Point low{0, 0, 0};   ///< what is to be added to them
+  Point low{0, 0, 0};   ///< added to them
   double error = 0;     ///< bound on each axis
 };
 

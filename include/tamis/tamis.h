@@ -18,6 +18,7 @@
 
 #include "tamis/c/answers.h"
 #include "tamis/c/detector.h"
+#include "tamis/c/linkage.h"
 #include "tamis/c/mesh.h"
 #include "tamis/c/pairs.h"
 #include "tamis/c/path.h"

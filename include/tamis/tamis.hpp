@@ -5,6 +5,7 @@
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 #include "tamis/from_matrix.hpp"
+#include "tamis/linkage.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"

@@ -17,6 +17,7 @@
 namespace tamis {
 
 struct BodyShape;
+class Linkage;
 
 /// A mesh with its points at rest, in the body's own frame, and the hierarchy over them. Made once, then shared by any
 /// number of bodies. Copies share all of it. Moving copies: the source keeps it.
@@ -94,6 +95,34 @@ struct EarliestBodyContact {
 struct BodyPoints {
   std::vector<Point> points;  ///< one a vertex of its shape
   double error = 0;           ///< no coordinate of a vertex in Mesh::points() is off by more than this
+};
+/// Options of questions about edges between configurations of a linkage.
+struct EdgeOptions {
+  std::optional<double> min_separation = {};  ///< as in QueryOptions: free means farther apart, all along the edge
+  double tolerance = 1e-9;                    ///< as in PathOptions, in fractions of the edge
+  bool starts_are_free = false;               ///< no start overlaps, as earlier answers say: they are not tested
+};
+/// How far a linkage may go along an edge.
+struct EdgeAnswer {
+  double fraction = 1;  ///< the edge is free on [0, fraction), as EarliestContact::toi_lower; 0 if the start overlaps
+  double fraction_upper = 1;             ///< as EarliestContact::toi_upper
+  bool overlaps_at_start = false;        ///< two bodies pass through each other at the start, or one is inside another
+  std::array<BodyId, 2> bodies{-1, -1};  ///< which touch or overlap first; -1: the edge is free
+  std::optional<BodyContact> contact;  ///< the contact that ends the edge; none if it is free, or overlaps at its start
+  Point point{0, 0, 0};                ///< where the contact is, in the world's frame, in doubles
+
+  /// Returns whether the edge is free, which is a proof.
+  [[nodiscard]] bool is_free() const { return bodies[0] < 0; }
+};
+/// The first edge of a trajectory that is not free.
+struct FirstBadEdge {
+  std::optional<std::size_t> edge;  ///< its number: from waypoint `edge` to the next; none if all edges are free
+  EdgeAnswer answer;                ///< about this edge
+};
+/// What is free of a roadmap. True is a proof.
+struct FreeRoadmap {
+  std::vector<bool> configurations;  ///< one entry a configuration
+  std::vector<bool> edges;           ///< one entry an edge
 };
 /// How far all bodies may go.
 struct BodyStep {
@@ -210,7 +239,7 @@ class World {
   /// Returns true if there is one.
   [[nodiscard]] bool has_intersection(const PoseOptions& = {});
   /// Tests whether two bodies overlap at t=0: there is an intersection, or a vertex of one lies inside another one. A
-  /// body inside another touches nothing, so every motion within it is free. Ask this of a planner's first
+  /// body inside another touches nothing, so every motion within it is free. Use it on a planner's first
   /// configuration. Decided exactly for the positions that `intersections` sees. Only closed parts have an inside
   /// (`is_closed`). Where a body's parts lie in each other, their winding numbers add up: a part with reversed faces is
   /// a cavity (docs/worlds.md, "Inside").
@@ -227,6 +256,35 @@ class World {
   /// Returns a bracket of the time.
   /// Throws InvalidOptions unless 0 <= keep < 1, and as `contacts`.
   [[nodiscard]] BodyStep safe_step(double keep = 0.1, const PathOptions& = {});
+
+  // Questions of planners, about a Linkage (tamis/linkage.hpp). Its bodies move along edges between configurations. All
+  // other bodies take part in each edge with their own motions. Only pairs with a body of the linkage count. Threads
+  // share the edges. Bodies keep the motions that they were told. All these functions throw InvalidOptions if
+  // configurations have not `dimension` numbers each, if an option is out of its range, or if a body of the linkage
+  // does not exist. They throw InvalidStep as `add`, naming the edge.
+
+  /// Tests configurations. A configuration is free if nothing overlaps (`has_overlap`), and if no pair touches, or is
+  /// within the minimum separation.
+  /// Returns for each whether this is proven.
+  [[nodiscard]] std::vector<bool> configurations_are_free(const Linkage&, std::span<const double> configurations,
+                                                          const EdgeOptions& = {});
+  /// Tests edges. An edge is free if its start does not overlap, and if it has no contact. Then none of its
+  /// configurations overlaps.
+  /// Returns for each whether this is proven.
+  [[nodiscard]] std::vector<bool> edges_are_free(const Linkage&, std::span<const double> starts,
+                                                 std::span<const double> ends, const EdgeOptions& = {});
+  /// Finds how far each edge is free, with the contact that ends it.
+  /// Returns an answer for each edge.
+  [[nodiscard]] std::vector<EdgeAnswer> last_valid(const Linkage&, std::span<const double> starts,
+                                                   std::span<const double> ends, const EdgeOptions& = {});
+  /// Finds the first edge of a trajectory that is not free. `waypoints`: two configurations or more, one after the
+  /// other. Only the first one is tested for an overlap: those that free edges reach have none.
+  [[nodiscard]] FirstBadEdge first_bad_edge(const Linkage&, std::span<const double> waypoints, const EdgeOptions& = {});
+  /// Tests a roadmap. `edges`: the numbers of two configurations each. An edge is free if both its ends are, and if it
+  /// has no contact.
+  /// Returns what is free. Throws InvalidOptions also if an edge names a configuration that is not there.
+  [[nodiscard]] FreeRoadmap roadmap(const Linkage&, std::span<const double> configurations,
+                                    std::span<const std::array<Index, 2>> edges, const EdgeOptions& = {});
 
   /// Returns the cost of the last question: sums over the detectors that it used. `memory_bytes` does not count shapes.
   /// Throws Busy while a question is answered.

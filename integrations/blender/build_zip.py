@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""build_zip.py WHEEL FOLDER: packs the add-on and the wheel of Tamis into one zip that Blender installs.
+"""build_zip.py WHEEL BACKEND FOLDER: packs the add-on, the wheel of Tamis and that of nanobind-backend into one zip for Blender.
 
 Blender up to 4.1 installs it as an add-on, later versions as an add-on or as an extension. It works with the Python and
-the system that the wheel was built for.
+the system that BACKEND was built for (`pip download nanobind-backend`).
 """
 import pathlib
 import re
@@ -30,18 +30,21 @@ def check_version(version: str) -> None:
 
 
 def main() -> None:
-    wheel, folder = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-    _, version, python, _, platform = wheel.stem.split("-")
+    wheel, backend, folder = map(pathlib.Path, sys.argv[1:])
+    _, version, _, _, platform = wheel.stem.split("-")
+    python = backend.stem.split("-")[2]
     check_version(version)
     folder.mkdir(parents=True, exist_ok=True)
     target = folder / f"tamis_check-{version}-{python}-{platform.split('.')[0]}.zip"
-    with zipfile.ZipFile(target, "w") as archive, zipfile.ZipFile(wheel) as content:
+    with zipfile.ZipFile(target, "w") as archive:
         add(archive, "tamis_check/LICENSE", (HERE / "LICENSE").read_bytes())
         for path in sorted(p for p in ADDON.iterdir() if p.is_file()):
             add(archive, f"tamis_check/{path.name}", path.read_bytes())
-        for name in sorted(n for n in content.namelist() if not n.endswith("/")):
-            if not name.startswith("tamis/command/"):  # the command is not used here
-                add(archive, f"tamis_check/wheel/{name}", content.read(name))
+        for each in (wheel, backend):
+            with zipfile.ZipFile(each) as content:
+                for name in sorted(n for n in content.namelist() if not n.endswith("/")):
+                    if not name.startswith("tamis/command/"):  # the command is not used here
+                        add(archive, f"tamis_check/wheel/{name}", content.read(name))
     print(target)
 
 

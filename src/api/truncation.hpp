@@ -54,13 +54,13 @@ class Truncation {
 
   const Mesh& mesh_;
   const Query& query_;
-  const Step& step_;  ///< that of the query
+  const Step& step_;  ///< the query's step
   const KeptFractions fractions_;
   const StoredType stored_;
   Engine& engine_;
   Statistics& statistics_;
   TruncatedStep result_;               ///< so far
-  std::vector<std::uint8_t> changed_;  ///< Query::changed since result_ was last asked about; empty if it was not
+  std::vector<std::uint8_t> changed_;  ///< Query::changed since result_ was last searched; empty if it was not
   double common_time_ = 0;
   bool on_own_sides_ = false;
   int rounds_ = 0;

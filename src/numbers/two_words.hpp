@@ -37,7 +37,7 @@ struct TwoWords {
     const TwoWords magnitude = is_negative ? -*this : *this;
     if (magnitude.high == 0)
       return is_negative ? -static_cast<double>(magnitude.low) : static_cast<double>(magnitude.low);
-    // The first 64 bits, of which the last tells whether any that follow are set, round as all do.
+    // The first 64 bits round as all bits do. The last of them tells whether any that follow are set.
     const int zeros = std::countl_zero(magnitude.high);
     const TwoWords shifted = zeros > 0 ? magnitude << zeros : magnitude;
     const auto rounded = static_cast<double>(shifted.high | (shifted.low != 0));

@@ -90,18 +90,28 @@ Point Body::end_of(Index vertex) const {
 }
 
 /// Vertices of a body that turns are on their curves. All others move straight from double to double, as in a step.
-BodyPoints Body::points_at(double time) const {
+template <class F>
+auto Body::with_places(double time, const F& f) const {
   const bool turns = motion_kind_ == MotionKind::turning;
   const RoundedTransform place = turns ? place_at(time) : RoundedTransform{};
-  const auto place_of = [&](Index v) -> RoundedPlace {
+  return f([&](Index v) -> RoundedPlace {
     if (!turns) return rounded_linear(start_of(v), end_of(v), time);
     const Point& x = shape_->points[at(v)];
     return {place.of(x), place.error_of(sum_of_sizes(x), 0)};
-  };
-  BodyPoints found;
-  for (Index v = 0; v < shape_->mesh.vertex_count(); ++v) found.points.push_back(place_of(v).x);
-  for (const Index v : shape_->mesh.points()) found.error = std::max(found.error, place_of(v).error);
-  return found;
+  });
+}
+
+RoundedPlace Body::point_at(Index vertex, double time) const {
+  return with_places(time, [&](const auto& place_of) { return place_of(vertex); });
+}
+
+BodyPoints Body::points_at(double time) const {
+  return with_places(time, [&](const auto& place_of) {
+    BodyPoints found;
+    for (Index v = 0; v < shape_->mesh.vertex_count(); ++v) found.points.push_back(place_of(v).x);
+    for (const Index v : shape_->mesh.points()) found.error = std::max(found.error, place_of(v).error);
+    return found;
+  });
 }
 
 std::uint64_t Body::memory_bytes() const {

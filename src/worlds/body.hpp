@@ -46,6 +46,7 @@ class Body {
   /// Throws InvalidStep, naming the body.
   void validate(const BodyMotion& motion) const;
 
+  BodyId id() const { return id_; }
   const BodyShape& shape() const { return *shape_; }
   const BodyMotion& motion() const { return motion_; }
   MotionKind motion_kind() const { return motion_kind_; }
@@ -60,7 +61,8 @@ class Body {
   /// A vertex' position at t=0 and at t=1, rounded to doubles.
   Point start_of(Index vertex) const;
   Point end_of(Index vertex) const;
-  /// All vertices at a time of the step, with an error bound.
+  /// A vertex at a time of the step. All vertices, with one bound for all.
+  RoundedPlace point_at(Index vertex, double time) const;
   BodyPoints points_at(double time) const;
   /// The transform from its frame to the world's at a time of the step. If the body does not turn, only at t=0 or 1.
   /// Means nothing if the body deforms.
@@ -83,6 +85,10 @@ class Body {
 
  private:
   friend class BodyOnPiece;
+
+  /// f(place_of), place_of(vertex) being where a vertex is at this time, with its error.
+  template <class F>
+  auto with_places(double time, const F& f) const;
 
   /// Throws InvalidStep if doubles cannot hold a vertex' position. REQUIRES: a body that does not deform, finite poses.
   void validate_far(const RigidChain& chain) const;

@@ -11,7 +11,7 @@
 namespace tamis {
 namespace {
 
-/// A shape's seams are at rest. Those of a body that does not deform stay together.
+/// A shape's seams are at rest. The seams of a body that does not deform stay together.
 bool seams_hold(const Body& body) {
   return !body.deforming() || std::ranges::all_of(body.shape().closed_parts().seams, [&](const auto& seam) {
     return body.start_of(seam[0]) == body.start_of(seam[1]);

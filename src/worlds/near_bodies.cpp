@@ -31,6 +31,7 @@ BodyTree::BodyTree(const BodyList& bodies, bool are_still, const NearDistance& d
 
 std::vector<BodyPair> World::State::near_bodies(const NearDistance& distance) {
   stop_if_cancelled(options);
+  if (only_pairs) return *only_pairs;
   if (!still_) still_.emplace(bodies, true, distance);
   const BodyTree moving(bodies, false, distance);
   std::vector<BodyPair> pairs;

@@ -7,18 +7,22 @@
 namespace tamis {
 
 bool World::has_overlap(const PoseOptions& asked) {
-  const State::QuestionTurn now(*this);
-  return now->has_intersection(asked) || now->has_containment(asked);
+  return State::QuestionTurn(*this)->overlapping_pair(asked).has_value();
 }
 
-bool World::State::has_containment(const PoseOptions& asked) {
+std::optional<BodyPair> World::State::overlapping_pair(const PoseOptions& asked) {
+  const auto pair = intersecting_pair(asked, Question::is_free);
+  return pair ? pair : enclosing_pair(asked);
+}
+
+std::optional<BodyPair> World::State::enclosing_pair(const PoseOptions& asked) {
   const NearDistance touching{.is_at_start = true, .include_static = asked.include_static};
   for (const auto& [a, b] : near_bodies(touching)) {
     const Body &first = *bodies[at(a)], &second = *bodies[at(b)];
     stop_if_cancelled(options);
-    if (encloses(first, second, options) || encloses(second, first, options)) return true;
+    if (encloses(first, second, options) || encloses(second, first, options)) return BodyPair{a, b};
   }
-  return false;
+  return std::nullopt;
 }
 
 bool World::is_closed(BodyId body) const {

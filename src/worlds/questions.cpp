@@ -34,7 +34,7 @@ bool World::State::ask_one(Detector& detector, const Ask& ask, const Of&... of) 
 
 template <class F>
 void World::State::for_each_by_itself(const F& f) {
-  for (std::size_t id = 0; id < bodies.size(); ++id) {
+  for (std::size_t id = 0; id < bodies.size() && !only_pairs; ++id) {
     Body* body = bodies[id].get();
     if (!body || !body->is_enabled || !body->deforming() || !body->may_touch_itself) continue;
     if (!f(static_cast<BodyId>(id), *body)) return;
@@ -137,10 +137,13 @@ EarliestBodyContact World::State::earliest(const PathOptions& asked) {
 
 bool World::is_free(const PathOptions& asked) {
   if (asked.at_start == AtStart::fail) return !earliest(asked).contact;
-  const State::QuestionTurn now(*this);
+  return State::QuestionTurn(*this)->is_free(asked);
+}
+
+bool World::State::is_free(const PathOptions& asked) {
   bool is_free = true;
-  now->for_each_moving(
-      asked, 0, [&](auto& state, auto& motion, auto& how, auto&) { return is_free = state->is_free(motion, how); });
+  for_each_moving(asked, 0,
+                  [&](auto& state, auto& motion, auto& how, auto&) { return is_free = state->is_free(motion, how); });
   return is_free;
 }
 
@@ -183,15 +186,21 @@ std::vector<BodyIntersection> World::intersections(const PoseOptions& asked) {
   return all;
 }
 
-bool World::has_intersection(const PoseOptions& asked) { return State::QuestionTurn(*this)->has_intersection(asked); }
+bool World::has_intersection(const PoseOptions& asked) {
+  return State::QuestionTurn(*this)->intersecting_pair(asked, Question::is_free).has_value();
+}
 
-bool World::State::has_intersection(const PoseOptions& asked) {
-  bool has_one = false;
-  for_each_at_rest(0, asked, [&](auto& state, auto& pose, auto&) {
-    has_one = !state->find_intersections(pose, Question::is_free, true).empty();
-    return !has_one;
+std::optional<BodyPair> World::State::intersecting_pair(const PoseOptions& asked, Question question) {
+  std::vector<BodyIntersection> found;
+  const auto pair_of = [](const BodyIntersection& row) {
+    return BodyPair{std::min(row.bodies[0], row.bodies[1]), std::max(row.bodies[0], row.bodies[1])};
+  };
+  for_each_at_rest(0, asked, [&](auto& state, auto& pose, auto& whose) {
+    add_named(found, state->find_intersections(pose, question, true), whose);
+    return found.empty() || question != Question::is_free;
   });
-  return has_one;
+  const auto first = std::ranges::min_element(found, {}, pair_of);
+  return first == found.end() ? std::nullopt : std::optional(pair_of(*first));
 }
 
 }  // namespace tamis

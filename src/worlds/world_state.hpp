@@ -8,6 +8,7 @@
 #include "numbers/busy_guard.hpp"
 #include "numbers/floating_point_state.hpp"
 #include "search/query/stopwatch.hpp"
+#include "tamis/linkage.hpp"
 #include "worlds/gathering.hpp"
 
 namespace tamis {
@@ -34,15 +35,29 @@ struct World::State {
   const Options options;
   BodyList bodies;
   std::set<BodyPair> excluded_pairs;  ///< may not touch, by set_may_touch
+  /// If given, questions are about these pairs alone. Ascending. All pairs of them that may touch are among them.
+  const std::vector<BodyPair>* only_pairs = nullptr;
   Statistics statistics;
   std::atomic_flag is_asked;
 
   class Turn;
   class QuestionTurn;
+  class Edges;
+  struct EdgeTesters;
+  bool is_free(const PathOptions& asked);
   EarliestBodyContact earliest(const PathOptions& asked);
-  bool has_intersection(const PoseOptions& asked);
-  /// True if a body encloses a part of another one. Finds all such bodies only where there is no intersection.
-  bool has_containment(const PoseOptions& asked);
+  /// Two bodies that pass through each other at t=0, or of which one is inside the other. Any such pair.
+  std::optional<BodyPair> overlapping_pair(const PoseOptions& asked);
+  /// The first such pair if `question` is all_contacts, any if it is is_free.
+  std::optional<BodyPair> intersecting_pair(const PoseOptions& asked, Question question);
+  /// Two bodies of which one encloses a part of the other. Finds all such bodies only where there is no intersection.
+  std::optional<BodyPair> enclosing_pair(const PoseOptions& asked);
+  /// Calls test(Edges&, i) for each edge. Threads share them. Throws InvalidOptions, and what `test` throws.
+  template <class Test>
+  void for_each_edge(const std::shared_ptr<const LinkageTree>& tree, std::size_t count, const EdgeOptions& how,
+                     const Test& test);
+  /// Throws InvalidOptions.
+  static void refuse_uneven(std::size_t starts, std::size_t ends);
 
   void become(Body& body, Body moved) noexcept;
   void drop_gathered();
@@ -72,10 +87,10 @@ struct World::State {
   bool ask_turning(Gathering& gathering, const BodyList& seen, const RigidChain& carrier,
                    const std::vector<BodyPair>& pairs, const NearDistance& distance, const PathOptions& asked,
                    const Ask& ask);
-  /// Calls ask(state of a detector, motion, options, whose) for each detector, until one call returns false: with a
-  /// Step and the gathered bodies that go straight; with a CutPath and those of which one turns, also in each frame of
-  /// bodies that turn together; with the Step and the number of each deforming body. `displacement_factor`: as in
-  /// NearDistance. Throws InvalidOptions.
+  /// Calls ask(state of a detector, motion, options, whose) for each detector, until one call returns false. Bodies
+  /// that go straight have a Step. Pairs with a body that turns have a CutPath, one more in each frame of bodies that
+  /// turn together. Each deforming body has its Step and its number. `displacement_factor`: as in NearDistance. Throws
+  /// InvalidOptions.
   template <class Ask>
   void for_each_moving(const PathOptions& asked, double displacement_factor, const Ask& ask);
   /// The same in the pose at t=0, for all items that come within the distance: ask(state of a detector, pose, whose).
@@ -105,6 +120,8 @@ struct World::State {
   Gathering at_rest_{MotionKind::straight, MotionKind::turning, 1};
   Gathering at_rest_with_static_{MotionKind::still, MotionKind::turning, 1};
   std::map<std::pair<std::size_t, BodyId>, Gathering> carried_;  ///< by the number of shared links and the first body
+  std::uint64_t turns_ = 0;                                      ///< which may have changed something
+  std::shared_ptr<EdgeTesters> edge_testers_;                    ///< of the last question about edges
 };
 
 /// A detector's options for questions about curves. With AtStart::fail contacts at the start are reported. The world
@@ -118,10 +135,15 @@ inline PathOptions of_curves(PathOptions asked) {
 class World::State::Turn {
  public:
   /// Throws Busy, and Error of a world that has been moved from.
-  explicit Turn(const World& world) : state_(world.state()), guard_(state_.is_asked) {}
+  explicit Turn(const World& world) : Turn(world, true) {}
   Turn(const Turn&) = delete;
   State* operator->() const { return &state_; }
   State& operator*() const { return state_; }
+
+ protected:
+  Turn(const World& world, bool may_change) : state_(world.state()), guard_(state_.is_asked) {
+    if (may_change) ++state_.turns_;
+  }
 
  private:
   State& state_;
@@ -132,7 +154,7 @@ class World::State::Turn {
 /// The turn of a question, which is measured.
 class World::State::QuestionTurn : public Turn {
  public:
-  explicit QuestionTurn(const World& world) : Turn(world) { (*this)->statistics = {}; }
+  explicit QuestionTurn(const World& world) : Turn(world, false) { (*this)->statistics = {}; }
   ~QuestionTurn() {
     (*this)->statistics.seconds.total = watch_.seconds();
     (*this)->statistics.memory_bytes = (*this)->memory_bytes();

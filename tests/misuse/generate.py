@@ -12,7 +12,7 @@ import sys
 ASKED = ["detector.hpp", "mesh.hpp", "pair.hpp", "pair_distance.hpp", "path.hpp"]
 NOT_ASKED = {
     "components.hpp": "takes what is made", "contact.hpp": "answers", "error.hpp": "exceptions",
-    "from_matrix.hpp": "refused by the compiler", "proximity.hpp": "answers", "options.hpp": "names; its structs are here",
+    "from_matrix.hpp": "refused by the compiler", "linkage.hpp": "asked by tests/worlds", "proximity.hpp": "answers", "options.hpp": "names; its structs are here",
     "positions.hpp": "views", "rigid_path.hpp": "asked through C",
     "spline_path.hpp": "asked through C", "statistics.hpp": "answers", "step.hpp": "a struct", "step_length.hpp": "answers", "stored_type.hpp": "names", "tamis.h": "asked through C",
     "tamis.hpp": "includes the others", "world.hpp": "asked by tests/worlds",

@@ -1,4 +1,4 @@
-// node module.mjs pack FOLDER: puts program.js and program.wasm of a folder into dist/module.js, the wasm compressed, in base64.
+// node module.mjs pack FOLDER: puts tamis.js and tamis.wasm of a folder into dist/module.js, the wasm compressed, in base64.
 // node module.mjs same FOLDER: fails unless dist/module.js holds these bytes. (Compressed ones depend on the version of Node.)
 import { readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -7,8 +7,8 @@ import { deflateSync, inflateSync } from "node:zlib";
 
 const [verb, folder] = process.argv.slice(2);
 const file = join(dirname(fileURLToPath(import.meta.url)), "dist", "module.js");
-const script = readFileSync(join(folder, "program.js"), "utf8");
-const wasm = readFileSync(join(folder, "program.wasm"));
+const script = readFileSync(join(folder, "tamis.js"), "utf8");
+const wasm = readFileSync(join(folder, "tamis.wasm"));
 const before = "self.tamisModule = ";
 
 if (verb === "pack") {

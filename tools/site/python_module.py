@@ -22,10 +22,13 @@ def public_module(name: str) -> ModuleType:
     if "tamis" not in sys.modules:
         sys.path.insert(0, str(PYTHON))
         sys.modules["tamis._core"] = Compiled()
-        sys.modules["tamis._core"].__version__ = ""
-        for other in ("ipctk", "mpi4py", "mujoco", "newton", "newton.solvers", "warp", "tamis._distributed"):
+        sys.modules["tamis._version"] = MagicMock()
+        sys.modules["tamis._core"].__version__ = sys.modules["tamis._version"].VERSION = ""
+        for other in ("ipctk", "mpi4py", "mujoco", "newton", "newton.solvers", "ompl", "warp", "tamis._distributed"):
             sys.modules[other] = MagicMock()
+        sys.modules["ompl"].base.MotionValidator = object
         sys.modules["mpi4py"].MPI.Get_library_version.return_value = ""
         sys.modules["tamis._distributed"].library_version.return_value = ""
-        importlib.import_module("tamis._versions").complaint = lambda *_: ""
+        versions = importlib.import_module("tamis._versions")
+        versions.check_range = versions.check_sources = lambda *_: None
     return importlib.import_module(name)

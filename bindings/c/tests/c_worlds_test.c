@@ -343,7 +343,62 @@ static void many_motions(void) {
   tamis_world_free(world);
 }
 
+/* The blade slides along z by a joint, down through the plate. */
+static void edges(void) {
+  tamis_world* world = blade_over_plate();
+  tamis_joint joint;
+  tamis_carried_body carried;
+  tamis_linkage *linkage = NULL, *bad = NULL;
+  tamis_edge_answer answers[2];
+  tamis_path_options options;
+  const double starts[] = {2, 2}, ends[] = {-2, 3}, waypoints[] = {4, 3, 2, -2};
+  const int32_t pairs[] = {0, 1, 2, 3};
+  uint8_t are_free[2], of_map[4], edges_of_map[2];
+  size_t edge = 0;
+  memset(&joint, 0, sizeof joint);
+  memset(&carried, 0, sizeof carried);
+  joint.parent = -1;
+  joint.joint_kind = TAMIS_SLIDING;
+  joint.axis[2] = 1;
+  joint.factor = 1;
+  carried.body = 1;
+  EXPECT(tamis_linkage_create(&joint, 1, &carried, 1, &linkage) == TAMIS_OK);
+  EXPECT(*tamis_linkage_message(linkage) == 0);
+  EXPECT(tamis_linkage_dimension(linkage) == 1 && tamis_linkage_dimension(NULL) == 0);
+  EXPECT(tamis_world_edges_are_free(world, linkage, starts, ends, 2, 0, NULL, are_free) == TAMIS_OK);
+  EXPECT(are_free[0] == 0 && are_free[1] == 1);
+  EXPECT(tamis_world_configurations_are_free(world, linkage, starts, 2, NULL, are_free) == TAMIS_OK);
+  EXPECT(are_free[0] == 1 && are_free[1] == 1);
+  EXPECT(tamis_world_last_valid(world, linkage, starts, ends, 2, 1, NULL, answers, sizeof answers[0]) == TAMIS_OK);
+  EXPECT(answers[0].has_contact == 1 && answers[0].fraction > 0 && answers[0].fraction < 1);
+  EXPECT(answers[0].bodies[0] >= 0 && answers[0].contact.bodies[0] == answers[0].bodies[0]);
+  EXPECT(answers[1].has_contact == 0 && answers[1].fraction == 1 && answers[1].bodies[0] == -1);
+  EXPECT(tamis_world_first_bad_edge(world, linkage, waypoints, 4, 0, NULL, &edge, answers, sizeof answers[0]) ==
+         TAMIS_OK);
+  EXPECT(edge == 2 && answers[0].has_contact == 1);
+  EXPECT(tamis_world_first_bad_edge(world, linkage, waypoints, 3, 0, NULL, &edge, answers, sizeof answers[0]) ==
+         TAMIS_OK);
+  EXPECT(edge == 2 && answers[0].has_contact == 0);
+  EXPECT(tamis_world_roadmap(world, linkage, waypoints, 4, pairs, 2, NULL, of_map, edges_of_map) == TAMIS_OK);
+  EXPECT(of_map[0] == 1 && of_map[3] == 1 && edges_of_map[0] == 1 && edges_of_map[1] == 0);
+  EXPECT(tamis_world_first_bad_edge(world, linkage, waypoints, 1, 0, NULL, &edge, answers, sizeof answers[0]) ==
+         TAMIS_INVALID_OPTIONS);
+  memset(&options, 0, sizeof options);
+  options.size = sizeof options;
+  options.at_start = TAMIS_IGNORE;
+  EXPECT(tamis_world_edges_are_free(world, linkage, starts, ends, 2, 0, &options, are_free) == TAMIS_INVALID_OPTIONS);
+  EXPECT_SAYS(tamis_world_message(world), "at_start");
+  joint.joint_kind = 3;
+  EXPECT(tamis_linkage_create(&joint, 1, &carried, 1, &bad) == TAMIS_INVALID_OPTIONS);
+  EXPECT_SAYS(tamis_linkage_message(bad), "joint_kind");
+  EXPECT(tamis_world_edges_are_free(world, bad, starts, ends, 2, 0, NULL, are_free) == TAMIS_INVALID_OPTIONS);
+  tamis_linkage_free(bad);
+  tamis_linkage_free(linkage);
+  tamis_world_free(world);
+}
+
 int main(void) {
+  edges();
   many_motions();
   what_is_answered();
   where_vertices_are();

@@ -13,6 +13,7 @@ void bind_pairs(nanobind::module_& module);
 void bind_pair_distance(nanobind::module_& module);
 void bind_paths(nanobind::module_& module);
 void bind_poses(nanobind::module_& module);
+void bind_linkage(nanobind::module_& module);
 void bind_shape(nanobind::module_& module);
 void bind_world(nanobind::module_& module);
 void bind_files(nanobind::module_& module);

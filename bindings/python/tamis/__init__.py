@@ -11,7 +11,7 @@ of its own. `read_mesh`, `read_frames` and `scene` return meshes to try it on.
 
 from typing import TYPE_CHECKING, NoReturn
 
-from tamis import _core
+from tamis import _loading
 from tamis._answers import EarliestContact, SafeStep, TruncatedStep
 from tamis._audit._audit import audit
 from tamis._audit._auditor import Auditor, StepReport
@@ -46,6 +46,8 @@ from tamis._tables._contacts import Contact, Contacts
 from tamis._tables._near import Intersection, Intersections, NearPair, NearPairs
 from tamis._weld import weld
 from tamis._world._bodies import Deforming, Shape
+from tamis._world._edges import EdgeAnswers, FirstBadEdge, FreeRoadmap
+from tamis._world._linkage import Linkage
 from tamis._world._tables import (
     BodyContact,
     BodyContacts,
@@ -59,7 +61,7 @@ from tamis._world._tables import (
 )
 from tamis._world._world import World
 
-__version__: str = _core.__version__
+__version__: str = _loading.VERSION
 
 
 if not TYPE_CHECKING:  # type checkers report any other name themselves
@@ -94,8 +96,11 @@ __all__ = [
     "EarliestBodyContact",
     "EarliestContact",
     "EarliestMany",
+    "EdgeAnswers",
     "Error",
     "FileError",
+    "FirstBadEdge",
+    "FreeRoadmap",
     "FunctionPath",
     "Intersection",
     "Intersections",
@@ -103,6 +108,7 @@ __all__ = [
     "InvalidOptions",
     "InvalidPath",
     "InvalidStep",
+    "Linkage",
     "Mesh",
     "MeshFile",
     "Motion",

@@ -56,7 +56,7 @@ class TruncatedStep(NamedTuple):
     Attributes
     ----------
     positions : array of float64, shape (n, 3)
-        The positions to go to. On the straight way from the start of the step to these very doubles, every pair keeps
+        The positions to go to. On the straight way from the start of the step to these doubles, every pair keeps
         the fraction of its distance, proven. A pair that starts within the minimum separation keeps all of its distance
         but a millionth, or none of its vertices moves.
     fractions : array of float64, shape (n,)

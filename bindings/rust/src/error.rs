@@ -24,6 +24,21 @@ pub(crate) fn text(text: *const c_char) -> String {
     unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned()
 }
 
+/// Refuses a library of another minor version, whose structs may differ: only an installed one can be.
+pub(crate) fn check_version() -> Result<(), Error> {
+    let (library, wanted) = (crate::version(), env!("CARGO_PKG_VERSION"));
+    let minor = |version: &str| version.rsplitn(2, '.').last().map(str::to_owned);
+    check(c_int::from(minor(&library) != minor(wanted)) * FAILED, || {
+        format!(
+            "libtamis_c {library} is loaded, but this crate is for {wanted}: install libtamis_c {wanted}, \
+             or build without the feature `system`"
+        )
+    })
+}
+
+/// `TAMIS_FAILED`.
+const FAILED: c_int = 8;
+
 /// `message` is asked only after a failure.
 pub(crate) fn check(status: c_int, message: impl FnOnce() -> String) -> Result<(), Error> {
     if status == 0 {

@@ -1,4 +1,4 @@
-use crate::error::{check, text, Error};
+use crate::error::{check, check_version, text, Error};
 use crate::sys;
 use std::ptr::{null, null_mut};
 
@@ -24,8 +24,9 @@ impl Drop for Mesh {
 
 impl Shape {
     /// `faces`: triangles by the numbers of their corners in `points`. Refuses numbers out of range, and points that
-    /// are not finite.
+    /// are not finite, and an installed library of another minor version.
     pub fn new(points: &[[f64; 3]], faces: &[[i32; 3]]) -> Result<Shape, Error> {
+        check_version()?;
         let input = sys::tamis_mesh_input {
             size: size_of::<sys::tamis_mesh_input>(),
             vertex_count: points.len() as i32,

@@ -191,6 +191,54 @@ extern "C" { pub fn tamis_detector_copy_pairs_within(detector: *mut tamis_detect
 extern "C" { pub fn tamis_detector_copy_intersections(detector: *mut tamis_detector, first: usize, count: usize, intersections: *mut Intersection, intersection_size: usize) -> c_int; }
 extern "C" { pub fn tamis_detector_copy_contacts(detector: *mut tamis_detector, first: usize, count: usize, contacts: *mut Contact, contact_size: usize) -> c_int; }
 extern "C" { pub fn tamis_detector_statistics(detector: *mut tamis_detector, statistics: *mut tamis_statistics) -> c_int; }
+/// Not at all.
+pub const TAMIS_FIXED: i32 = 0;
+/// About its axis, by its value in radians.
+pub const TAMIS_TURNING: i32 = 1;
+/// Along its axis, by its value.
+pub const TAMIS_SLIDING: i32 = 2;
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct tamis_joint {
+    pub parent: i32,
+    pub joint_kind: i32,
+    pub coordinate: i32,
+    pub place: Pose,
+    pub axis: [f64; 3],
+    pub factor: f64,
+    pub offset: f64,
+}
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct tamis_carried_body {
+    pub body: i32,
+    pub joint: i32,
+    pub place: Pose,
+}
+#[repr(C)]
+pub struct tamis_linkage {
+    _private: [u8; 0],
+}
+extern "C" { pub fn tamis_linkage_create(joints: *const tamis_joint, joint_count: usize, carried: *const tamis_carried_body, carried_count: usize, linkage: *mut *mut tamis_linkage) -> c_int; }
+extern "C" { pub fn tamis_linkage_free(linkage: *mut tamis_linkage); }
+extern "C" { pub fn tamis_linkage_message(linkage: *const tamis_linkage) -> *const c_char; }
+extern "C" { pub fn tamis_linkage_dimension(linkage: *const tamis_linkage) -> usize; }
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct tamis_edge_answer {
+    pub fraction: f64,
+    pub fraction_upper: f64,
+    pub overlaps_at_start: i32,
+    pub has_contact: i32,
+    pub bodies: [i32; 2],
+    pub point: [f64; 3],
+    pub contact: Contact,
+}
+extern "C" { pub fn tamis_world_configurations_are_free(world: *mut tamis_world, linkage: *const tamis_linkage, configurations: *const f64, count: usize, options: *const tamis_path_options, are_free: *mut u8) -> c_int; }
+extern "C" { pub fn tamis_world_edges_are_free(world: *mut tamis_world, linkage: *const tamis_linkage, starts: *const f64, ends: *const f64, count: usize, starts_are_free: c_int, options: *const tamis_path_options, are_free: *mut u8) -> c_int; }
+extern "C" { pub fn tamis_world_last_valid(world: *mut tamis_world, linkage: *const tamis_linkage, starts: *const f64, ends: *const f64, count: usize, starts_are_free: c_int, options: *const tamis_path_options, answers: *mut tamis_edge_answer, answer_size: usize) -> c_int; }
+extern "C" { pub fn tamis_world_first_bad_edge(world: *mut tamis_world, linkage: *const tamis_linkage, waypoints: *const f64, waypoint_count: usize, starts_are_free: c_int, options: *const tamis_path_options, edge: *mut usize, answers: *mut tamis_edge_answer, answer_size: usize) -> c_int; }
+extern "C" { pub fn tamis_world_roadmap(world: *mut tamis_world, linkage: *const tamis_linkage, configurations: *const f64, count: usize, edge_ends: *const i32, edge_count: usize, options: *const tamis_path_options, configurations_are_free: *mut u8, edges_are_free: *mut u8) -> c_int; }
 #[repr(C)]
 pub struct tamis_mesh {
     _private: [u8; 0],

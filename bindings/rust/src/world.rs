@@ -1,5 +1,5 @@
 use crate::answers::{Contact, Earliest, Intersection, NearPair};
-use crate::error::{check, text, Error};
+use crate::error::{check, check_version, text, Error};
 use crate::motion::{Motion, RigidLink};
 use crate::shape::Shape;
 use crate::sys;
@@ -44,7 +44,9 @@ unsafe impl Send for World {}
 
 impl World {
     /// A world without bodies. `threads`: how many threads answer its questions; 0: as many as there are.
+    /// Refuses an installed library of another minor version.
     pub fn new(threads: i32) -> Result<World, Error> {
+        check_version()?;
         let options = sys::tamis_world_options {
             size: size_of::<sys::tamis_world_options>(),
             threads,

@@ -35,8 +35,8 @@ typedef struct tamis_options {
                           skips pairs with a common vertex */
   /** Your own threads: runs a loop of the detector, on `threads` threads (0: one a core). Must call body(loop, i) once
    * for each i in [0, count), on any threads, in any order, and return when all calls have returned. Called by the
-   * thread that asks, never from within a body, and not if `threads` is 1. NULL: oneTBB's threads; without oneTBB
-   * (tamis_has_threads()) the thread that asks. */
+   * calling thread, never from within a body, and not if `threads` is 1. NULL: oneTBB's threads; without oneTBB
+   * (tamis_has_threads()) the calling thread. */
   void (*parallel_for)(void* user, int32_t count, tamis_loop_body body, void* loop);
 } tamis_options;
 

@@ -52,7 +52,7 @@ TAMIS_API tamis_status tamis_vertex_edge(tamis_pairs* pairs, size_t count, const
 TAMIS_API tamis_status tamis_vertex_vertex(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                                            tamis_pair_result* results, size_t result_size);
 
-/** One pair of a list: what a broad phase hands on. */
+/** One pair of a list, as a broad phase finds it. */
 typedef struct tamis_feature_pair {
   int32_t kind;        /**< TAMIS_VERTEX_FACE, ... */
   int32_t vertices[4]; /**< rows of the step: p a b c, a0 a1 b0 b1, p a b, or p q; unused entries are not read */

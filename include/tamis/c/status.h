@@ -36,7 +36,7 @@ typedef enum tamis_status {
 /** Returns the version of the library, such as "0.1.0". Never free it, nor any other string that is returned. */
 TAMIS_API const char* tamis_version(void);
 /** Returns 1 if questions have threads of their own: oneTBB's. Returns 0 if the library was built without oneTBB. Then
- * a question without a parallel_for runs on the thread that asks, whatever `threads` says. */
+ * a question without a parallel_for runs on the calling thread, whatever `threads` says. */
 TAMIS_API int tamis_has_threads(void);
 
 #ifdef __cplusplus

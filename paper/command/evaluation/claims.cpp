@@ -24,7 +24,7 @@ struct CullingTally {
     if (!is_true) fails += (fails.empty() ? "" : ", ") + row_name(r);
   }
   std::string text() const {
-    return holds == rows ? fmt::format("all {}", rows) : fmt::format("{} of {} (not on {})", holds, rows, fails);
+    return holds == rows ? fmt::format("all {}.", rows) : fmt::format("{} of {}. It fails on {}.", holds, rows, fails);
   }
 };
 
@@ -32,12 +32,12 @@ template <class Holds>
 std::string claim(Results results, const std::string& words, const Holds& holds) {
   CullingTally ours, others;
   for (const SceneResult& r : results) (published_row(r) ? ours : others).count(r, holds(r));
-  std::string text = fmt::format("- {}: ", words);
+  std::string text = fmt::format("- {}.", words);
   if (ours.rows > 0)
-    text += fmt::format("**{}** on the rows that the paper has: {}",
+    text += fmt::format(" This **{}** on the rows that the paper has: {}",
                         ours.holds == ours.rows ? "holds" : "does not hold", ours.text());
-  if (others.rows > 0) text += fmt::format("{} other rows: {}", ours.rows > 0 ? "; on" : "on", others.text());
-  return text + ".\n";
+  if (others.rows > 0) text += fmt::format(" On other rows: {}", others.text());
+  return text + "\n";
 }
 
 /// Formats the smallest and the largest value of a figure over all rows.
@@ -72,14 +72,14 @@ std::string paper_claims(Results results) {
                 "NCF culls over 90% of what DNF leaves" +
                     range(results, " ({:.1f} to {:.1f}%)", [](const auto& r) { return kPercent * ncf_rate(r); }),
                 [](const auto& r) { return ncf_rate(r) > kClaimedRate; });
-  text += claim(results, "The same, counting only pairs that are no contact",
+  text += claim(results, "NCF culls over 90% of the pairs without a contact that DNF leaves",
                 [](const auto& r) { return ncf_rate_of_false_pairs(r) > kClaimedRate; });
   text += claim_of_speed(results, "DNF+NCF is faster than SAT", "paper-sat", "paper");
   text += claim_of_speed(results, "DNF+NCF is faster than R-triangles alone", "paper-r-triangles", "paper");
   text += claim(results, "PFS culls best of all filters", pfs_culls_best);
-  text += "\nAnd ours:\n\n";
+  text += "\nTwo claims of this project:\n\n";
   text += claim_of_speed(results, "The default method is faster than the published one", "paper", "tamis");
-  text += claim(results, "Every method finds the same contacts in every step: none is missed",
+  text += claim(results, "Every method finds the same contacts in every step",
                 [](const auto& r) { return r.sets_agree(); });
   return text;
 }

@@ -69,24 +69,25 @@ std::string figure_5(Results results) {
 constexpr std::string_view kDiscussion = R"(
 ## Why the numbers differ
 
-- **The scenes are others.** The original sequences are not to be had. `airbag`, `cloth-ball`, `funnel` and `bunny` are simulated by
-  `tamis scene` under the same titles; folds, speeds and time steps differ, so no figure here contradicts the paper's own.
-- **The machine is another**, twenty years younger: milliseconds do not compare, ratios may. Filters that trade additions for
-  the elementary test gain less where that test is fast.
+- **Other scenes.** The original sequences are not available. `tamis scene` simulates `airbag`, `cloth-ball`, `funnel` and `bunny`
+  under the same titles. Folds, speeds and time steps differ, so no figure here contradicts the paper's own.
+- **Another machine.** It is twenty years younger. Milliseconds do not compare, ratios may. Filters trade additions for
+  elementary tests, so they gain less if that test is fast.
 - **Contacts count.** A pair that touches must reach the elementary test whatever the filter does. Frames here are free of
-  intersections, yet the straight path between two frames, and more so at 3x, touches often; the culling rate is therefore also given
-  for the pairs that are no contact.
-- **3x** takes every third frame. A folder of two frames has none to leave out: its step is stretched to three times its length, which
-  drives bodies through each other more than any simulation would (rows marked "stretched").
-- **Soundness costs.** Every filter here carries error bounds in floating point, which the published ones did not; pairs that
-  rounding cannot decide go on to the next stage.
+  intersections. Yet the straight path between two frames touches often, and more so at 3x. So the culling rate is also given
+  for the pairs without a contact.
+- **3x** takes every third frame. For a folder of two frames the step is stretched to three times its length instead. This drives
+  bodies through each other more than any simulation would. Such rows are marked "stretched".
+- **Soundness costs.** Every filter here has error bounds in floating point, which the published filters did not have. Pairs that
+  rounding cannot decide enter the next stage.
 
 ## How it was measured
 
-One thread. Milliseconds are the mean over the steps, of processor time, everything included: bounds, refitting, building anew where
-refitting has made the hierarchy poor. A method's first step is asked twice; the first time, which builds, does not count.
-The methods take turns within every step. "Missed" counts contacts that any method reports and this one does not, step by step. "Pairs left" enter the elementary test; a pair may count more than once
-without representative triangles. `table1.csv` and `stages.csv` hold the sums behind every figure.
+One thread. Milliseconds are the mean over the steps, of processor time. They include bounds, refitting, and rebuilding where
+refitting has made the hierarchy poor. A method runs its first step twice. The first run builds and does not count.
+The methods take turns within every step. "Missed" counts contacts that any method reports and this one does not, step by step.
+"Pairs left" enter the elementary test. Without representative triangles a pair may count more than once.
+`table1.csv` and `stages.csv` have the sums behind every figure.
 )";
 
 }  // namespace

@@ -43,10 +43,10 @@ std::string paper_sieve(Results results) {
                         cell(left.contacts));
   }
   return text + R"(
-NCF asks that one sign hold during the whole step. What it leaves is near all along, as neighbours in a sheet and layers that rest
-on each other are, or is not near at any one time, although each feature passes where the other has been or will be: there the sign
-changes while the pair is far apart. The slab clip sees the second kind, for it looks at boxes at the same time; constant axes see
-much of the first. Contacts, which no filter may cull, are counted apart.
+NCF needs one sign that holds during the whole step. It leaves two kinds of pairs. The first kind is near all along, as neighbours
+in a sheet and layers that rest on each other. The second kind is not near at any one time, although each feature passes where the
+other has been or will be. Then the sign changes while the pair is far apart. The slab clip culls the second kind, because it
+compares boxes at the same time. Constant axes cull much of the first. Contacts, which no filter may cull, are counted apart.
 )";
 }
 

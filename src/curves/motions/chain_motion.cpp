@@ -49,6 +49,8 @@ RoundedTransform rounded_near(const RigidLink& link, double time) {
   return {rotation.rows, shift.x, rotation.error, shift.error, 0};
 }
 
+}  // namespace
+
 RoundedTransform rounded_link(const RigidLink& link, double time) {
   RoundedTransform result = turns_far(link) ? rounded(transform_of(link, time)) : rounded_near(link, time);
   result.shift_size = largest_coordinate(result.shift);
@@ -82,8 +84,6 @@ RoundedTransform with_norms(RoundedTransform transform) {
   transform.shift_error *= kRootOfThree * kRoundedUp;
   return transform;
 }
-
-}  // namespace
 
 RoundedTransform transform_at(const RigidChain& chain, double time) {
   if (chain.empty()) return rounded_link(RigidLink{}, time);

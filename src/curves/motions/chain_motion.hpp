@@ -58,6 +58,13 @@ struct RoundedTransform {
   }
 };
 
+/// Where one link takes what it carries at a time in [0,1].
+RoundedTransform rounded_link(const RigidLink& link, double time);
+/// The same, whose errors bound norms of the matrix and of the shift, as in chains of more links.
+RoundedTransform with_norms(RoundedTransform transform);
+/// The transform that applies `inner`, then `outer`. REQUIRES (not checked: history): both with_norms().
+RoundedTransform after(const RoundedTransform& outer, const RoundedTransform& inner);
+
 /// Where a chain takes a body at a time in [0,1].
 RoundedTransform transform_at(const RigidChain& chain, double time);
 

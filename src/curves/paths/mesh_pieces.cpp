@@ -62,8 +62,8 @@ std::vector<double> MeshPieces::deviations(double from, double to) const {
   return deviations;
 }
 
-/// A few vertices may deviate more than allowed, such as vertices far from an axis of rotation. n of them may if n^2 is
-/// at most a sixteenth of the number of vertices.
+/// A few vertices may deviate more than allowed, such as vertices far from an axis of rotation. Their number may be n
+/// if n^2 is at most a sixteenth of the number of vertices.
 double MeshPieces::end_of(const MeshMoment& start) const {
   if (!ends_.empty()) return *std::ranges::upper_bound(ends_, start.time);
   double allowed = deviation_in_units_ * std::max(mean_fine_edge(mesh_, start.points), separation_);
@@ -132,8 +132,8 @@ void MeshPieces::shift_chords(const MeshMoment& from, const MeshMoment& to) {
   }
 }
 
-/// `error` covers the errors of all three positions, times 2 >= sqrt(3) for the three axes; 8 roundings of numbers no
-/// larger than `size`; and the rounding of the middle's time by 2^-53, times the displacement.
+/// `error` covers the errors of all three positions, times 2 >= sqrt(3) for the three axes. It covers 8 roundings of
+/// numbers no larger than `size`, and the rounding of the middle's time by 2^-53, times the displacement.
 MeshPieces::ChordOffset MeshPieces::chord_offset(std::size_t v, const MeshMoment& from, const MeshMoment& middle,
                                                  const MeshMoment& to) const {
   ChordOffset result{};

@@ -7,8 +7,8 @@
 
 namespace tamis {
 
-/// u, v as in Contact; `gap`: from the closest point of the face (ee: of the first edge; ve: of the edge; vv: from the
-/// second vertex) to that of the other feature.
+/// u, v as in Contact. `gap` leads from the closest point of one feature to the closest point of the other. The first
+/// is the face, for ee the first edge, for ve the edge, for vv the second vertex.
 template <class T>
 struct ClosestPointsOf {
   T u, v;

@@ -42,7 +42,7 @@ inline Vec3<T> near_direction(const Vec3<T>& unit) {
   return {component(unit.x), component(unit.y), component(unit.z)};
 }
 
-/// In which direction a pair is apart at one time of its step.
+/// The direction in which a pair is apart at one time of its step.
 template <class T>
 struct DirectionApart {
   T u, v;             ///< weights of the closest points, as in Contact
@@ -54,9 +54,9 @@ struct DirectionApart {
 template <PairKind kind, class T>
 inline DirectionApart<T> direction_apart(const PairMotion<T>& m, const T& time) {
   TAMIS_ASSERT(is_whole(m) && !any(!((time >= T(0)) & (time <= T(1)))));
-  // If all corners of the difference are at least c g along a unit vector, g being the length of the gap, the gap is no
-  // more than acos(c) off that vector. This is below 1.01 sqrt(2 (1 - c)). g is off by kGap, which is small beside what
-  // `low` lost.
+  // Let g be the length of the gap. If all corners of the difference are at least c g along a unit vector, the gap is
+  // at most acos(c) off that vector. This is below 1.01 sqrt(2 (1 - c)). The error of g is kGap, which is small beside
+  // the error of `low`.
   constexpr double kSharp = 1 - 0x1p-20;
   const RestDistance<T> rest =
       rest_distance<kind>(at_time(m.e, time), at_time(m.f, time), at_time(m.d, time), m.size_d + m.size_e + m.size_f);

@@ -29,8 +29,8 @@ struct NearestPoint {
     Vec3<Number> normal;
     Number square;  ///< of the normal
     Number height;  ///< of the plane along the normal, times the normal's length; only if is_inside
-    /// For each side, times the normal's square: the share of the polygon's parallelogram that lies between the side
-    /// and the foot of the perpendicular. Negative where the foot is beyond the side.
+    /// For each side: the share of the polygon's parallelogram between the side and the foot of the perpendicular,
+    /// times the normal's square. Negative where the foot is beyond the side.
     std::array<Number, 4> within;
   };
 
@@ -51,9 +51,8 @@ bool has_sign(const Number& x) {
 }
 
 /// Takes the foot of the perpendicular if it lies inside, else the nearest point on the sides that part the two. In any
-/// case a side that holds the origin. No other side is nearer: as seen from the nearest point of a convex polygon, the
-/// foot lies along the outward normal of a side, or between the normals of two sides that meet, and so beyond one of
-/// them.
+/// case a side that holds the origin. No other side is nearer. From the nearest point of a convex polygon the foot lies
+/// along the outward normal of a side, or between the normals of two sides that meet. So it is beyond one of them.
 template <class Number>
 class NearestPointSearch {
   using Vector = Vec3<Number>;

@@ -1,9 +1,8 @@
-// Step lengths: how long a pair keeps a fraction of its distance at t=0. The distance that counts is the clearance: the
-// distance beyond the minimum separation. Two proofs, the second where the first ends:
-//   by speed        the clearance falls no faster than the corners of the two features move against each other;
-//   by advancement  the fraction to be kept is a separation, and advancement along axes (pair/narrow/first_within.hpp)
-//   finds
-//                   when it is reached.
+// Step lengths: how long a pair keeps a fraction of its clearance at t=0. The clearance is the distance beyond the
+// minimum separation. There are two proofs. The second begins where the first ends.
+// - By speed. The clearance falls no faster than the corners of the two features move against each other.
+// - By advancement. The fraction to keep is a separation. Advancement along axes finds when it is reached
+//   (pair/narrow/first_within.hpp).
 #pragma once
 #include "pair/motion/make_motion.hpp"
 #include "tamis/contact.hpp"
@@ -19,10 +18,10 @@ struct DistanceRule {
   bool ignores_start = false;
 };
 
-/// A time in [0,1] until which the pair is proven to obey the rule. 0 only if it has no clearance at t=0, and that is
-/// not ignored (or the time underflows). It searches no further than `until`. A result below `until` does not depend on
-/// it, and is no less than 1 - 2^-18 times (1 - fraction) clearance / speed. `speed` is the largest length of any
-/// velocity of a corner of the difference, rounded up by kVelocity. REQUIRES: finite coordinates.
+/// A time in [0,1] until which the pair is proven to obey the rule. It is 0 only if the time underflows, or if the pair
+/// has no clearance at t=0 and is not ignored. It searches no further than `until`. A result below `until` does not
+/// depend on it, and is no less than 1 - 2^-18 times (1 - fraction) clearance / speed. `speed` is the largest length of
+/// any velocity of a corner of the difference, rounded up by kVelocity. REQUIRES: finite coordinates.
 double keeps_distance_until(PairKind kind, const PairPoints& points, const DistanceRule& rule, double until,
                             PrecisionCount& decided_by);
 

@@ -8,8 +8,8 @@
 namespace tamis {
 namespace {
 
-/// Where more groups than this overlap at one place, blocks of one group each are so large that they meet more blocks
-/// of other groups than blocks ordered by place alone meet in all.
+/// Where more groups than this overlap at one place, blocks of one group each are large. They meet more blocks of other
+/// groups than blocks ordered by place alone meet in all.
 constexpr std::size_t kMostAtOnePlace = 3;
 
 /// True if a feature is inside the boxes of more than kMostAtOnePlace groups, on average over a sample.

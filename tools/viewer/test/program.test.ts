@@ -119,9 +119,9 @@ void test("shows the cloth on the ball, from a server", async () => {
     /^The first contact is at 0\.2\d+ of the step\. The motion before it is proven free\./,
   );
   assert.equal(await listed(page), 1);
-  await page.locator("[data-step=funnel]").click();
-  assert.match(await said(page), /^10,\d+ contacts/);
-  await picture(page, "program_funnel");
+  await page.locator("[data-step=skirt]").click();
+  assert.match(await said(page), /^2,0\d\d contacts/);
+  await picture(page, "program_skirt");
   assert.deepEqual(faults, []);
   await page.close();
 });
@@ -212,12 +212,12 @@ void test("says that memory cannot grow, and answers the next step", async () =>
     text.replace('"script":"', '"script":"WebAssembly.Memory.prototype.grow = () => { throw new RangeError(); };');
   const { page } = await open(address, {}, ["module.js", full]);
   await said(page);
-  await page.locator("[data-step=funnel]").click();
+  await page.locator("[data-step=skirt]").click();
   await said(page);
   await lengthen(page, 10);
   assert.match(await said(page), /^The browser gives no (more )?memory/);
   await lengthen(page, 3);
-  assert.match(await said(page), /^10,\d+ contacts/);
+  assert.match(await said(page), /^2,0\d\d contacts/);
   await choose(page, "start.obj", "end.obj");
   assert.match(await said(page), /^\d+ contacts/);
   await page.close();

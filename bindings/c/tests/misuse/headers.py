@@ -66,8 +66,8 @@ def _ctype(parameter: Parameter, declared: str, types: "dict[str, type]") -> typ
 
 
 def read(folder: pathlib.Path) -> Interface:
-    text = "".join((folder / f"{name}.h").read_text() for name in ("status", "answers", "mesh", "detector", "pairs", "path", "world"))
-    assert len(list(folder.glob("*.h"))) == 7, f"a header in {folder} is not read here"
+    text = "".join((folder / f"{name}.h").read_text() for name in ("status", "answers", "mesh", "detector", "pairs", "path", "world", "linkage"))
+    assert len(list(folder.glob("*.h"))) == 8, f"a header in {folder} is not read here"
     structs, types = {}, {}
     for name, body in re.findall(r"typedef struct (\w+) \{(.*?)\n\} \1;", text, re.DOTALL):
         structs[name] = _fields(body)

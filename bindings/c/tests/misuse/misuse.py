@@ -56,7 +56,8 @@ class Session:
         made = {}
         for kind, function in (("tamis_mesh", "tamis_mesh_create"), ("tamis_detector", "tamis_detector_create"),
                                ("tamis_pairs", "tamis_pairs_create"), ("tamis_path", "tamis_bezier_path_create"),
-                               ("tamis_shape", "tamis_shape_create"), ("tamis_world", "tamis_world_create")):
+                               ("tamis_shape", "tamis_shape_create"), ("tamis_world", "tamis_world_create"),
+                               ("tamis_linkage", "tamis_linkage_create")):
             made[kind] = self._made(self._function(function), made)
         for _ in range(2):  # bodies 0 and 1, which arguments name
             self._made(self._function("tamis_world_add"), made)

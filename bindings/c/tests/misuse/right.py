@@ -1,5 +1,6 @@
 """Right values for all arguments and fields, by name. A name that is missing fails the test."""
 import ctypes
+import struct as packed
 
 import headers
 
@@ -73,6 +74,11 @@ ARGUMENTS = {
     "kind": 0, "stored": 0, "u": .25, "v": .25, "keep": .1, "distance": 1.5, "time": .5, "first": 0, "turn": doubles(0, 0, 1),
     "end_position": doubles(1, 1, 1), "center": doubles(1, 0, 0), "quaternion": doubles(1, 0, 0, 0),
     "links": doubles(*[0] * 12), "rows": doubles(1, 0, 0, 0, 1, 0, 0, 0, 1), "position": doubles(1, 1, 1), "edges": indices(0, 1), "faces": indices(0, 1, 2),
+    # A joint that slides body 0 along x: parent, kind, coordinate; place, axis, factor, offset. And the body.
+    "joints": ctypes.create_string_buffer(packed.pack("iii4x11d", -1, 2, 0, *[0] * 6, 1, 0, 0, 1, 0)), "joint_count": 1,
+    "carried": ctypes.create_string_buffer(packed.pack("ii6d", 0, 0, *[0] * 6)), "carried_count": 1,
+    "configurations": doubles(0), "starts": doubles(0), "ends": doubles(1), "waypoints": doubles(0, 1), "waypoint_count": 2,
+    "edge_ends": indices(0, 0), "edge_count": 1, "starts_are_free": 0,
     "points": doubles(*START), "bodies": indices(0, 1), "body_count": 1, "is_enabled": 1, "may_touch": 0, "include_static": 0, "radius": 0.25, "body": 0, "vertex_count": 6,
 }
 _CORNERS = {"vertex_face": 4, "edge_edge": 4, "vertex_edge": 3, "vertex_vertex": 2}

@@ -10,6 +10,7 @@
 #include "python/src/bindings.hpp"
 #include "python/src/collected.hpp"
 #include "python/src/statistics.hpp"
+#include "python/src/world/configurations.hpp"
 #include "python/src/world/motions.hpp"
 
 namespace tamis::python {
@@ -96,6 +97,37 @@ class Bodies {
   bool is_closed(BodyId body) {
     return asker_.answer([&] { return world_.is_closed(body); });
   }
+  nb::object configurations_are_free(const Linkage& linkage, const ConfigurationRows& all, const PathOptions& q) {
+    return flags_of(
+        asker_.answer([&] { return world_.configurations_are_free(linkage, numbers_of(all), of_edges(q, false)); }));
+  }
+  nb::object edges_are_free(const Linkage& linkage, const ConfigurationRows& starts, const ConfigurationRows& ends,
+                            bool starts_are_free, const PathOptions& q) {
+    return flags_of(asker_.answer([&] {
+      return world_.edges_are_free(linkage, numbers_of(starts), numbers_of(ends), of_edges(q, starts_are_free));
+    }));
+  }
+  nb::tuple last_valid(const Linkage& linkage, const ConfigurationRows& starts, const ConfigurationRows& ends,
+                       bool starts_are_free, const PathOptions& q) {
+    return edge_columns(asker_.answer([&] {
+      return world_.last_valid(linkage, numbers_of(starts), numbers_of(ends), of_edges(q, starts_are_free));
+    }));
+  }
+  /// The edge's number, or -1; and the answer about it.
+  nb::tuple first_bad_edge(const Linkage& linkage, const ConfigurationRows& waypoints, bool start_is_free,
+                           const PathOptions& q) {
+    const FirstBadEdge first = asker_.answer(
+        [&] { return world_.first_bad_edge(linkage, numbers_of(waypoints), of_edges(q, start_is_free)); });
+    return nb::make_tuple(first.edge ? static_cast<std::ptrdiff_t>(*first.edge) : -1, edge_columns({first.answer}));
+  }
+  nb::tuple roadmap(const Linkage& linkage, const ConfigurationRows& configurations, const IndexRowsIn<2>& edges,
+                    const PathOptions& q) {
+    const auto* first = reinterpret_cast<const std::array<Index, 2>*>(edges.data());
+    const FreeRoadmap found = asker_.answer([&] {
+      return world_.roadmap(linkage, numbers_of(configurations), {first, edges.shape(0)}, of_edges(q, false));
+    });
+    return nb::make_tuple(flags_of(found.configurations), flags_of(found.edges));
+  }
   nb::tuple safe_step(double keep, const PathOptions& q) {
     return step_tuple(asker_.answer([&] { return world_.safe_step(keep, q); }));
   }
@@ -110,6 +142,10 @@ class Bodies {
 
  private:
   static std::span<const BodyId> of(const Indices& bodies) { return {bodies.data(), bodies.shape(0)}; }
+
+  static EdgeOptions of_edges(const PathOptions& q, bool starts_are_free) {
+    return {q.min_separation, q.tolerance, starts_are_free};
+  }
 
   template <class Motions>
   static std::vector<BodyMotion> all_of(const Motions& motions) {
@@ -158,6 +194,11 @@ void bind_world(nb::module_& module) {
       .def("has_overlap", &Bodies::has_overlap)
       .def("is_closed", &Bodies::is_closed)
       .def("safe_step", &Bodies::safe_step)
+      .def("configurations_are_free", &Bodies::configurations_are_free)
+      .def("edges_are_free", &Bodies::edges_are_free)
+      .def("last_valid", &Bodies::last_valid)
+      .def("first_bad_edge", &Bodies::first_bad_edge)
+      .def("roadmap", &Bodies::roadmap)
       .def("statistics", &Bodies::statistics);
 }
 

@@ -9,10 +9,11 @@ from tamis import _core
 from tamis._options import Isa, make_options
 from tamis._statistics import Statistics
 from tamis._world._changes import Changes
+from tamis._world._edges import EdgeQuestions
 from tamis._world._questions import Questions
 
 
-class World(Changes, Questions):
+class World(Changes, Questions, EdgeQuestions):
     """Bodies, each with its own shape and motion, and the questions of a `Detector` about them.
 
     During t in [0, 1] each body moves as it was told last. A body with a pose stays there; a body with a chain moves by

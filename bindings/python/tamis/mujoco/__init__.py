@@ -4,15 +4,15 @@
 >>> mujoco.mj_step(model, data)
 >>> step = referee.check()
 
-It needs one version of the package `mujoco` (``pip install '.[mujoco]'`` in the clone); the import fails without it.
+It needs the package `mujoco` (``pip install '.[mujoco]'`` in the clone); the import fails without a tested version.
 """
 
-from tamis._versions import complaint
+from tamis._versions import check_range
 
-if _refused := complaint(["mujoco"], "tamis.mujoco proves the motion of"):
-    raise ImportError(_refused)
+FIRST, LAST = "3.14.0", "4.0.0"  # the oldest and the newest version that was tested
+check_range("mujoco", FIRST, LAST, "tamis.mujoco")
 
-from tamis.mujoco._referee import Referee
-from tamis.mujoco._steps import Meeting, RefereedStep, RefereeReport
+from tamis.mujoco._referee import Referee  # noqa: E402
+from tamis.mujoco._steps import Meeting, RefereedStep, RefereeReport  # noqa: E402
 
 __all__ = ["Meeting", "Referee", "RefereeReport", "RefereedStep"]

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from tamis._arrays import Doubles, Indices
 from tamis._errors import InvalidMesh
 from tamis._mesh import Mesh
-from tamis.mujoco._primitives import Shape, around_square, box, capsule, cylinder, ellipsoid
+from tamis._primitives import Shape, around_square, box, capsule, cylinder, ellipsoid
 
 _NO_EDGES = np.empty((0, 2), np.int32)
 _NO_FACES = np.empty((0, 3), np.int32)

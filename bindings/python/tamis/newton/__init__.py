@@ -10,16 +10,16 @@
     solver.step(state_in, state_out, control, contacts, dt)  # as before
 
 The straight motion of every step, from the floats that it starts with to the floats that it ends with, is then free of
-contacts, proven. No buffer sizes need be chosen. Needs `newton` and `warp-lang` in the versions of
-``pip install '.[newton]'`` in the clone, as the functions that it replaces are private; the import fails without them.
+contacts, proven. No buffer sizes need be chosen. Needs `newton` (``pip install '.[newton]'`` in
+the clone). The functions that it replaces are private: the import fails if they differ from the tested ones.
 """
 
-from tamis._versions import complaint
+from tamis._versions import check_sources
+from tamis.newton._inside import KNOWN, PACKAGE, TESTED
 
-if _refused := complaint(["newton", "warp-lang"], "tamis.newton knows the inside of"):
-    raise ImportError(_refused)
+check_sources(PACKAGE, TESTED, KNOWN, "tamis.newton")
 
-from tamis.newton._attachment import Attachment, attach
-from tamis.newton._report import AttachmentReport
+from tamis.newton._attachment import Attachment, attach  # noqa: E402
+from tamis.newton._report import AttachmentReport  # noqa: E402
 
 __all__ = ["Attachment", "AttachmentReport", "attach"]

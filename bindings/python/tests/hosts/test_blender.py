@@ -16,8 +16,8 @@ import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[4]
 SESSIONS = ROOT / "integrations" / "blender" / "sessions"
-# The wheel that the tests are run with: scripts/nightly.sh says which.
-WHEEL = os.environ.get("TAMIS_WHEEL", "")
+# The wheels that the tests are run with: scripts/nightly.sh says which.
+WHEEL, BACKEND = os.environ.get("TAMIS_WHEEL", ""), os.environ.get("TAMIS_BACKEND", "")
 
 BLENDERS = {
     "bpy": [sys.executable] if importlib.util.find_spec("bpy") else [],
@@ -31,7 +31,9 @@ pytestmark = pytest.mark.skipif(not WHEEL, reason="no wheel to put into the add-
 def zip_file(tmp_path_factory: pytest.TempPathFactory) -> pathlib.Path:
     folder = tmp_path_factory.mktemp("zip")
     script = ROOT / "integrations" / "blender" / "build_zip.py"
-    printed = subprocess.run([sys.executable, script, WHEEL, folder], check=True, capture_output=True, text=True)
+    printed = subprocess.run(
+        [sys.executable, script, WHEEL, BACKEND, folder], check=True, capture_output=True, text=True
+    )
     return pathlib.Path(printed.stdout.strip())
 
 

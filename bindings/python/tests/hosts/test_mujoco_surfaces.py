@@ -11,7 +11,8 @@ mujoco = pytest.importorskip("mujoco", reason="MuJoCo is not installed: bindings
 
 import tamis.mujoco  # noqa: E402
 from mujoco_models import loaded  # noqa: E402
-from tamis.mujoco import _primitives, _surfaces  # noqa: E402
+from tamis import _primitives  # noqa: E402
+from tamis.mujoco import _surfaces  # noqa: E402
 
 
 @pytest.mark.parametrize("tolerance", [0.1, 1e-2, 1e-3])

@@ -14,7 +14,7 @@ interface Module {
   _program_scene_bytes(): number;
 }
 
-declare function createProgram(settings: { wasmBinary: ArrayBuffer }): Promise<Module>;
+declare function createTamis(settings: { wasmBinary: ArrayBuffer }): Promise<Module>;
 
 const nothing = new ArrayBuffer(0);
 let program: Module | null = null;
@@ -37,7 +37,7 @@ function open(module: Module, start: StepFile, end: StepFile): string {
 
 async function answer(message: ToWorker): Promise<FromWorker> {
   if (message.ask === "load") {
-    program = await createProgram({ wasmBinary: message.wasm });
+    program = await createTamis({ wasmBinary: message.wasm });
     return { problem: "", facts: null, scene: nothing };
   }
   if (!program) throw new Error("the module is not loaded");

@@ -1,4 +1,4 @@
-"""Triangles around the primitive geoms of MuJoCo.
+"""Triangles around boxes, cylinders, balls, capsules and ellipsoids.
 
 Each solid lies within its triangles, and no point of these is farther from the solid than the tolerance. So a surface
 that stays outside the triangles does not touch the solid.

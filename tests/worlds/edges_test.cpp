@@ -310,7 +310,7 @@ TEST(Edges, AreRefusedWithASentence) {
                                        "joint 0 moves along no axis");
   expect_edges_refused<InvalidOptions>(make({{-1, {}, JointKind::turning}}), "joint 0 moves by the coordinate -1");
   expect_edges_refused<InvalidOptions>(make({{-1, {}, JointKind::turning, {0, std::nan(""), 1}, 0}}), "not finite");
-  expect_edges_refused<InvalidOptions>(make(slides, {{part, 1, {}}}), "is at the joint 1");
+  expect_edges_refused<InvalidOptions>(make(slides, {{part, 1, {}}}), "is carried by joint 1, but there are 1 joints");
   expect_edges_refused<InvalidOptions>(make(slides, {{part, 0, {}}, {part, 0, {}}}), "named twice");
   const Linkage slide(slides, {{part, 0, {}}}), stranger(slides, {{7, 0, {}}});
   const std::vector<double> one{0}, two{0, 1}, bad{std::nan("")}, far{1e308};

@@ -32,7 +32,8 @@ PYTHON = {
     "audit": ("Audits", ["_audit"]),
     "errors": ("Errors", ["_errors"]),
 }
-PYTHON_MODULES = ["tamis.bridge.ipctk", "tamis.compat.ipctk", "tamis.distributed", "tamis.mujoco", "tamis.newton"]
+PYTHON_MODULES = ["tamis.bridge.ipctk", "tamis.compat.ipctk", "tamis.distributed", "tamis.mujoco", "tamis.newton",
+                  "tamis.robots", "tamis.robots.ompl"]
 
 
 def tree(entries: list[str], options: str = "") -> str:

@@ -14,7 +14,8 @@ PAGES = {
                     "at_start.cpp"],
     "docs/plane.md": ["plane.cpp"],
     "bindings/npm/README.md": ["hello.mjs"],
-    "docs/worlds.md": ["world.cpp", "bodies.cpp", "static_bodies.cpp", "robot.py", "edges.py"],
+    "docs/worlds.md": ["world.cpp", "bodies.cpp", "static_bodies.cpp", "edges.py"],
+    "docs/planners.md": ["plan.py"],
 }
 # A program, and behind it what it prints.
 QUOTED = re.compile(r"^```(?:cpp|c|python|js)\n(.*?)^```$(.*?)^```text\n(.*?)^```$", re.DOTALL | re.MULTILINE)

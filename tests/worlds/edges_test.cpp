@@ -280,6 +280,12 @@ TEST(Edges, MeetBodiesThatMoveByThemselves) {
   world.move(wall, Rigid{interpolated_chain({{0, 9, 0}, {}}, {{0, -9, 0}, {}})});
   EXPECT_FALSE(world.edges_are_free(slide, at, at)[0]);
   EXPECT_TRUE(world.edges_are_free(slide, off, off)[0]);
+  world.set_may_touch(wall, part, false);  // would catch what a question keeps for the next one
+  EXPECT_TRUE(world.edges_are_free(slide, at, at)[0]);
+  world.set_may_touch(wall, part, true);
+  EXPECT_FALSE(world.edges_are_free(slide, at, at)[0]);
+  world.remove(wall);
+  EXPECT_TRUE(world.edges_are_free(slide, at, at)[0]);
 }
 
 template <class Error>

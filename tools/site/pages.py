@@ -32,7 +32,8 @@ PYTHON = {
     "audit": ("Audits", ["_audit"]),
     "errors": ("Errors", ["_errors"]),
 }
-PYTHON_MODULES = ["tamis.bridge.ipctk", "tamis.compat.ipctk", "tamis.distributed", "tamis.mujoco", "tamis.newton"]
+PYTHON_MODULES = ["tamis.bridge.ipctk", "tamis.compat.ipctk", "tamis.distributed", "tamis.mujoco", "tamis.newton",
+                  "tamis.robots", "tamis.robots.ompl"]
 
 
 def tree(entries: list[str], options: str = "") -> str:
@@ -63,11 +64,12 @@ def copied(path: str, folder: pathlib.Path) -> str:
         linked = os.path.normpath(pathlib.Path(path).parent / name)
         if is_page(linked):
             return f"{text}({os.path.relpath(place(linked), pathlib.Path(path).parent)}{mark}{section})"
-        copy = folder / ("html" if name.endswith(".html") else "source") / linked
+        is_beside = name.endswith((".html", ".md"))  # Sphinx would take a document for one of its pages
+        copy = folder / ("html" if is_beside else "source") / linked
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(ROOT / linked, copy)
         # A page is opened, where Sphinx would offer it as a download.
-        return f'<a href="{target}">{text[1:-1]}</a>' if name.endswith(".html") else found[0]
+        return f'<a href="{target}">{text[1:-1]}</a>' if is_beside else found[0]
 
     return LINK.sub(mended, (ROOT / path).read_text())
 

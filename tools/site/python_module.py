@@ -22,9 +22,11 @@ def public_module(name: str) -> ModuleType:
     if "tamis" not in sys.modules:
         sys.path.insert(0, str(PYTHON))
         sys.modules["tamis._core"] = Compiled()
-        sys.modules["tamis._core"].__version__ = ""
-        for other in ("ipctk", "mpi4py", "mujoco", "newton", "newton.solvers", "warp", "tamis._distributed"):
+        sys.modules["tamis._version"] = MagicMock()
+        sys.modules["tamis._core"].__version__ = sys.modules["tamis._version"].VERSION = ""
+        for other in ("ipctk", "mpi4py", "mujoco", "newton", "newton.solvers", "ompl", "warp", "tamis._distributed"):
             sys.modules[other] = MagicMock()
+        sys.modules["ompl"].base.MotionValidator = object
         sys.modules["mpi4py"].MPI.Get_library_version.return_value = ""
         sys.modules["tamis._distributed"].library_version.return_value = ""
         versions = importlib.import_module("tamis._versions")

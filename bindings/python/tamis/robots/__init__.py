@@ -9,7 +9,8 @@ Meshes need the package trimesh, `tamis.robots.ompl` the package ompl: ``pip ins
 """
 
 from tamis.robots._edges import Edges, TrajectoryAnswer
-from tamis.robots._robot import Robot, load
+from tamis.robots._load import load
+from tamis.robots._robot import Robot
 from tamis.robots._scene import Scene
 
 __all__ = ["Edges", "Robot", "Scene", "TrajectoryAnswer", "load"]

@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from tamis._arrays import Doubles, Indices, doubles, finite, numbers, shape_text
-from tamis._checks import number, number_from_zero, word
-from tamis._errors import FileError, InvalidOptions, InvalidPath
+from tamis._arrays import Doubles
+from tamis._checks import word
+from tamis._errors import InvalidOptions
 from tamis._world._bodies import Shape
+from tamis._world._linkage import JointKind, Linkage
+from tamis.robots._coordinates import Coordinates
 from tamis.robots._frames import frame_of, moved, placed, pose_of_frame
-from tamis.robots._solids import MeshFiles, link_triangles, shape_of, welded
-from tamis.robots._srdf import disabled_pairs
-from tamis.robots._urdf import FileJoint, RobotFile, read_urdf
-
-_BEYOND = 1e-9  # how far a value may be beyond a limit: planners round
+from tamis.robots._solids import shape_of
 
 
 @dataclass(frozen=True)
@@ -60,22 +57,30 @@ class Robot:
     A configuration has one number for each of `joints`: radians, or metres of a joint that slides.
     """
 
-    __slots__ = ("_indices", "_joints", "_links", "_never", "is_continuous", "joints", "limits", "name")
+    __slots__ = ("_coordinates", "_joints", "_linkage", "_links", "_never", "name")
 
     def __init__(
-        self,
-        name: str,
-        joints: tuple[str, ...],
-        limits: Doubles,
-        is_continuous: npt.NDArray[np.bool_],
-        tree: tuple[list[Joint], list[Link], set[frozenset[str]]],
+        self, name: str, coordinates: Coordinates, joints: list[Joint], links: list[Link], never: set[frozenset[str]]
     ) -> None:
         self.name = name
-        self.joints = joints
-        self.limits = limits
-        self.is_continuous = is_continuous
-        self._joints, self._links, self._never = tree
-        self._indices = _padded([_carriers(self._joints, link.joint) for link in self._solid], len(self._joints))
+        self._coordinates = coordinates
+        self._joints, self._links, self._never = joints, links, never
+        self._linkage = linkage_of([self], list(range(len(self.links))))
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """The names of the joints that a configuration moves."""
+        return self._coordinates.names
+
+    @property
+    def limits(self) -> Doubles:
+        """The least and the greatest value of each of `joints`, shape (d, 2)."""
+        return self._coordinates.limits
+
+    @property
+    def is_continuous(self) -> npt.NDArray[np.bool_]:
+        """Whether each of `joints` turns without limits, shape (d,)."""
+        return self._coordinates.is_continuous
 
     @property
     def _solid(self) -> list[Link]:
@@ -122,19 +127,7 @@ class Robot:
             Other shapes, numbers that are not finite, a joint beyond its limits, or a continuous joint that goes by
             more than half a turn. The message names the joint.
         """
-        first, last = self._configurations(start, "start"), self._configurations(end, "end")
-        if first.shape != last.shape:
-            raise InvalidPath(f"start has the shape {shape_text(first)}, end {shape_text(last)}: give the same")
-        if not whole_turns:
-            self._refuse_long_turns(first, last)
-        ways = np.zeros((*first.shape[:-1], len(self._joints) + 1, 4, 3))
-        for i, joint in enumerate(self._joints):
-            carrier = self._joints[joint.parent].center if joint.parent >= 0 else np.zeros(3)
-            ways[..., i, ::2, :] = joint.center - carrier
-            for side, configuration in ((0, first), (2, last)):
-                value = joint.factor * configuration[..., joint.coordinate] + joint.offset
-                ways[..., i, side + joint.turns, :] += value[..., np.newaxis] * joint.axis
-        return doubles(ways[..., self._indices, :, :])
+        return self._linkage.motions(*self._coordinates.edges(start, end, whole_turns))
 
     def shorter_way(self, start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
         """Return `end` with continuous joints moved by whole turns, so that each goes the shorter way from `start`.
@@ -154,10 +147,7 @@ class Robot:
         InvalidPath
             As `chain`.
         """
-        first, last = self._configurations(start, "start"), self._configurations(end, "end").copy()
-        turns = np.round((last - first) / (2 * np.pi))
-        last -= np.where(self.is_continuous, turns * 2 * np.pi, 0.0)
-        return last
+        return self._coordinates.shorter_way(start, end)
 
     def pose(self, link: str, configuration: npt.ArrayLike) -> Doubles:
         """Compute the pose of a link's frame, as the URDF file has it.
@@ -181,7 +171,7 @@ class Robot:
         InvalidPath
             As `chain`.
         """
-        named, values = self._link(link), self._configurations(configuration, "configuration")
+        named, values = self._link(link), self._coordinates.one(configuration, "configuration")
         frame = np.eye(4)
         last = np.zeros(3)
         for i in _carriers(self._joints, named.joint):
@@ -227,12 +217,11 @@ class Robot:
             raise InvalidOptions(f"name is {name!r}, which {self.name} has already: give another")
         frame = carrier.frame @ frame_of(pose)
         given = shape_of(body, "body")
-        shape = Shape(given.mesh, moved(given.points, frame) - _center(self._joints, carrier.joint))
+        shape = Shape(given.mesh, moved(given.points, frame) - center_of(self._joints, carrier.joint))
         new = Link(name, carrier.joint, frame, carrier.rests_on, shape)
         fixed = [other.name for other in self._links if other.rests_on == carrier.rests_on]
         pairs = {frozenset((name, self._link(other).name)) for other in (*fixed, *touching)}
-        tree = (self._joints, [*self._links, new], self._never | pairs)
-        return Robot(self.name, self.joints, self.limits, self.is_continuous, tree)
+        return Robot(self.name, self._coordinates, self._joints, [*self._links, new], self._never | pairs)
 
     def _link(self, name: str) -> Link:
         for link in self._links:
@@ -240,176 +229,34 @@ class Robot:
                 return link
         raise InvalidOptions(f"{self.name} has no link {name!r}: it has {', '.join(link.name for link in self._links)}")
 
-    def _configurations(self, given: npt.ArrayLike, name: str) -> Doubles:
-        """Return configurations that are within the limits, with any number of leading dimensions up to one."""
-        array = numbers(given, name, InvalidPath)
-        if array.ndim not in (1, 2) or array.shape[-1] != len(self.joints):
-            raise InvalidPath(
-                f"{name} has the shape {shape_text(array)}: give a number for each of the {len(self.joints)} joints "
-                f"({', '.join(self.joints)})"
-            )
-        values = finite(doubles(array), name, InvalidPath)
-        beyond = (values < self.limits[:, 0] - _BEYOND) | (values > self.limits[:, 1] + _BEYOND)
-        if beyond.any():
-            place = tuple(np.argwhere(beyond)[0])
-            low, high = self.limits[place[-1]]
-            row = f"row {place[0]} of {name}" if values.ndim == 2 else name
-            raise InvalidPath(
-                f"joint {self.joints[place[-1]]!r} is at {values[place]:.6g} in {row}, beyond its limits "
-                f"{low:g} to {high:g}: keep within them"
-            )
-        return values
-
-    def _refuse_long_turns(self, first: Doubles, last: Doubles) -> None:
-        long = self.is_continuous & (np.abs(last - first) > np.pi + _BEYOND)
-        if long.any():
-            place = tuple(np.argwhere(long)[0])
-            raise InvalidPath(
-                f"the continuous joint {self.joints[place[-1]]!r} goes from {first[place]:.6g} to {last[place]:.6g}, "
-                "by more than half a turn: pass shorter_way(start, end) as the end, or whole_turns=True if it shall"
-            )
-
     def __repr__(self) -> str:
         return f"Robot({self.name!r}, {len(self.joints)} joints, {len(self.links)} links with shapes)"
 
 
-def load(
-    file: str | os.PathLike[str],
-    *,
-    srdf: str | os.PathLike[str] | None = None,
-    disabled: Iterable[tuple[str, str]] = (),
-    held: Mapping[str, float] | None = None,
-    base: npt.ArrayLike | None = None,
-    tolerance: float = 1e-3,
-    package_dirs: Iterable[str | os.PathLike[str]] = (),
-    name: str | None = None,
-) -> Robot:
-    """Read a robot from its URDF file. Needs the package trimesh where the file names meshes.
+def linkage_of(robots: list[Robot], bodies: list[int]) -> Linkage:
+    """Return the linkage of some robots, whose links with a shape are `bodies`, robot after robot.
 
-    Each <collision> becomes triangles: meshes as they are, scaled and if need be mirrored; boxes, cylinders, capsules
-    and spheres by triangles around them. What cannot be understood is refused. A joint that mimics another one follows
-    it, whatever its own limits are.
-
-    Parameters
-    ----------
-    file : path
-        The URDF file.
-    srdf : path, optional
-        An SRDF file: the pairs of its <disable_collisions> never count.
-    disabled : iterable of pairs of str
-        More pairs of links that never count.
-    held : mapping of str to float, optional
-        Joints that stay at a value, such as a gripper's. They are no longer among the robot's `joints`.
-    base : array_like, shape (2, 3) or (4, 4), optional
-        Where the root link is, as `tamis.pose_of` makes it, or a matrix. By default it is at the origin.
-    tolerance : float
-        > 0, in metres: how far triangles may be outside a round primitive. They are nowhere inside.
-    package_dirs : iterable of paths
-        Folders that hold the packages of ``package://`` names. The folders around the file are searched after them.
-    name : str, optional
-        The robot's name instead of the file's: two robots in one scene need two.
-
-    Returns
-    -------
-    Robot
-        The robot.
-
-    Raises
-    ------
-    FileError
-        A file that is missing, or says something that cannot be used. The message names the link or joint.
-    InvalidOptions
-        A joint or link that the robot lacks, a value beyond its limits, or a tolerance that is not positive.
+    All frames are parallel at 0, so places only shift, and a chain has no link but its joints.
     """
-    if number_from_zero(tolerance, "tolerance") == 0:
-        raise InvalidOptions("tolerance is 0: give a length > 0, such as 1e-3")
-    read = read_urdf(file)
-    values = _held(read, held or {})
-    joints, links = _place(read, values, frame_of(base))
-    files = MeshFiles(os.fspath(file), package_dirs)
-    solid: list[Link] = []
-    for link in links:
-        triangles = link_triangles(read.links[link.name], files, tolerance)
-        if triangles is not None:
-            points = moved(triangles[0], link.frame) - _center(joints, link.joint)
-            link = replace(link, shape=welded((points, triangles[1])))
-        solid.append(link)
-    if not any(link.shape for link in solid):
-        raise FileError(f"{os.fspath(file)}: no link has a <collision>, so nothing could touch: add them")
-    named = [] if srdf is None else disabled_pairs(srdf, read.links)
-    never = _connected(read, solid) | {frozenset(pair) for pair in named}
-    for pair in disabled:
-        for link_name in pair:
-            if link_name not in read.links:
-                raise InvalidOptions(f"disabled names the link {link_name!r}, which {read.name} has not")
-        never.add(frozenset(pair))
-    leaders = [joint for joint in read.joints if _is_free(joint, values)]
-    names = tuple(joint.name for joint in leaders)
-    continuous = np.array([joint.is_continuous for joint in leaders], bool)
-    called = read.name if name is None else word(name, "name")
-    limits = np.array([(joint.lower, joint.upper) for joint in leaders], float).reshape(-1, 2)
-    return Robot(called, names, limits, continuous, (joints, solid, never))
-
-
-def _is_free(joint: FileJoint, values: Mapping[str, float]) -> bool:
-    return joint.kind != "fixed" and not joint.mimics and joint.name not in values
-
-
-def _held(read: RobotFile, held: Mapping[str, float]) -> dict[str, float]:
-    """Return the values of all joints that do not move: those held, and those that mimic them."""
-    moving = {joint.name: joint for joint in read.joints if joint.kind != "fixed"}
-    values: dict[str, float] = {}
-    for name, given in held.items():
-        joint = moving.get(name)
-        if joint is None or joint.mimics:
-            free = ", ".join(j.name for j in moving.values() if not j.mimics)
-            raise InvalidOptions(f"held names the joint {name!r}: give joints that move by themselves ({free})")
-        value = number(given, f"held[{name!r}]")
-        if not joint.lower <= value <= joint.upper:
-            raise InvalidOptions(
-                f"held[{name!r}] is {value:g}, beyond its limits {joint.lower:g} to {joint.upper:g}: keep within them"
-            )
-        values[name] = value
-    return {**values, **{j.name: j.factor * values[j.mimics] + j.offset for j in moving.values() if j.mimics in values}}
-
-
-def _place(read: RobotFile, values: Mapping[str, float], base: Doubles) -> tuple[list[Joint], list[Link]]:
-    """Return joints that move, and links, where they are when every joint is at 0; held joints are at their value."""
-    coordinate: dict[str, int] = {}
-    for file_joint in read.joints:
-        if _is_free(file_joint, values):
-            coordinate[file_joint.name] = len(coordinate)
-    joints: list[Joint] = []
-    links = {read.root: Link(read.root, -1, base, read.root, None)}
-    for file_joint in read.joints:
-        parent = links[file_joint.parent]
-        frame, carrier, rests_on = parent.frame @ file_joint.place, parent.joint, parent.rests_on
-        leader = file_joint.mimics or file_joint.name
-        if leader in coordinate:
-            axis = frame[:3, :3] @ file_joint.axis
-            turns, factor, offset = file_joint.kind == "turning", file_joint.factor, file_joint.offset
-            joints.append(
-                Joint(file_joint.name, turns, carrier, frame[:3, 3], axis, coordinate[leader], factor, offset)
-            )
-            carrier, rests_on = len(joints) - 1, file_joint.child
-        elif file_joint.kind != "fixed":
-            way = file_joint.axis * values[file_joint.name]
-            turns = file_joint.kind == "turning"
-            frame = frame @ (placed(way, np.zeros(3)) if turns else placed(np.eye(3), way))
-        links[file_joint.child] = Link(file_joint.child, carrier, frame, rests_on, None)
-    return joints, list(links.values())
-
-
-def _connected(read: RobotFile, links: list[Link]) -> set[frozenset[str]]:
-    """Return the pairs that never count: fixed to each other, or joined, also by links that have no shape."""
-    by_name = {link.name: link for link in links}
-    pairs = {frozenset((a.name, b.name)) for a in links for b in links if a is not b and a.rests_on == b.rests_on}
-    nearest: dict[str, set[str]] = {name: set() for name in by_name}  # the first links with a shape towards the root
-    for joint in read.joints:
-        parent = by_name[joint.parent]
-        nearest[joint.child] = {parent.name} if parent.shape else nearest[parent.name]
-        pairs |= {frozenset((joint.child, other)) for other in nearest[joint.child]}
-    return pairs
+    parents, places, axes, coordinates = [-1], [np.zeros(3)], [np.ones(3)], [-1]
+    kinds: list[JointKind] = ["fixed"]
+    factors, offsets, carriers, dimension = [1.0], [0.0], [], 0
+    for robot in robots:
+        before = len(parents)
+        for joint in robot._joints:
+            parents.append(before + joint.parent if joint.parent >= 0 else 0)
+            places.append(joint.center - center_of(robot._joints, joint.parent))
+            kinds.append("turning" if joint.turns else "sliding")
+            axes.append(joint.axis)
+            coordinates.append(dimension + joint.coordinate)
+            factors.append(joint.factor)
+            offsets.append(joint.offset)
+        carriers += [before + link.joint if link.joint >= 0 else 0 for link in robot._solid]
+        dimension += len(robot.joints)
+    poses = np.stack([np.array(places), np.zeros((len(places), 3))], 1)
+    return Linkage(
+        parents, poses, kinds, np.array(axes), coordinates, bodies, carriers, factors=factors, offsets=offsets
+    )
 
 
 def _carriers(joints: list[Joint], last: int) -> list[int]:
@@ -421,13 +268,6 @@ def _carriers(joints: list[Joint], last: int) -> list[int]:
     return found[::-1]
 
 
-def _center(joints: list[Joint], joint: int) -> Doubles:
+def center_of(joints: list[Joint], joint: int) -> Doubles:
+    """Return a joint's center, the origin for -1."""
     return joints[joint].center if joint >= 0 else np.zeros(3)
-
-
-def _padded(lists: list[list[int]], filler: int) -> Indices:
-    """Return lists of one length as rows: the link number `filler` of a chain does nothing."""
-    longest = max((len(entries) for entries in lists), default=0)
-    return np.array([entries + [filler] * (longest - len(entries)) for entries in lists], np.int32).reshape(
-        len(lists), longest
-    )

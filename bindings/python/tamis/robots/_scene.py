@@ -8,13 +8,16 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from tamis._arrays import Doubles, doubles
+from tamis._arrays import Doubles
 from tamis._checks import instance, truth, word
-from tamis._errors import InvalidOptions, InvalidPath, InvalidStep
+from tamis._errors import InvalidOptions, InvalidStep
 from tamis._world._bodies import Deforming
+from tamis._world._edges import FreeRoadmap
+from tamis._world._linkage import Linkage
 from tamis._world._world import World
-from tamis.robots._edges import Edges, TrajectoryAnswer, ask_edges, overlaps
-from tamis.robots._robot import Robot
+from tamis.robots._coordinates import Coordinates
+from tamis.robots._edges import Edges, Flags, TrajectoryAnswer
+from tamis.robots._robot import Robot, linkage_of
 from tamis.robots._solids import shape_of
 
 _STILL = np.zeros((2, 3))
@@ -38,10 +41,10 @@ class Scene:
     Raises
     ------
     InvalidOptions
-        No robot, or two robots of one name; an option outside its range.
+        No robot, no joint that moves, or two robots of one name; an option outside its range.
     """
 
-    __slots__ = ("_bodies", "_names", "_separation", "is_continuous", "joints", "limits", "robots", "world")
+    __slots__ = ("_bodies", "_coordinates", "_linkage", "_names", "robots", "world")
 
     def __init__(self, *robots: Robot, threads: int = 0, min_separation: float = 0.0) -> None:
         names = [instance(robot, Robot, "robots", "robots, as tamis.robots.load returns them").name for robot in robots]
@@ -50,18 +53,20 @@ class Scene:
                 f"robots are called {', '.join(names) or 'nothing'}: give one or more, each another name"
             )
         self.robots = robots
-        self._separation = min_separation
         self.world = World(threads=threads, min_separation=min_separation)
         self._names: dict[int, str] = {}
-        self._bodies: list[Any] = []
+        self._bodies: list[int] = []
         several = len(robots) > 1
         for robot in robots:
             self._bodies += self._add_robot(robot, f"{robot.name}/" if several else "")
-        self.joints = tuple(f"{r.name}/{joint}" if several else joint for r in robots for joint in r.joints)
-        self.limits = np.vstack([robot.limits for robot in robots])
-        self.is_continuous = np.concatenate([robot.is_continuous for robot in robots])
-        home = np.clip(0.0, self.limits[:, 0], self.limits[:, 1])  # until a question moves them
-        self.world.move_many(self._bodies, self.chain(home, home))
+        self._linkage = linkage_of(list(robots), self._bodies)
+        self._coordinates = Coordinates(
+            tuple(f"{robot.name}/{joint}" if several else joint for robot in robots for joint in robot.joints),
+            np.vstack([robot.limits for robot in robots]),
+            np.concatenate([robot.is_continuous for robot in robots]),
+        )
+        home = np.clip(0.0, self.limits[:, 0], self.limits[:, 1])  # where the robots stay in `world`
+        self.world.move_many(self._bodies, self._linkage.motions(home, home))
 
     def _add_robot(self, robot: Robot, prefix: str) -> list[int]:
         bodies = {name: self.world.add(shape, _STILL) for name, shape in zip(robot.links, robot.shapes)}
@@ -72,9 +77,24 @@ class Scene:
         return list(bodies.values())
 
     @property
-    def dimension(self) -> int:
-        """How many numbers a configuration has."""
-        return len(self.joints)
+    def joints(self) -> tuple[str, ...]:
+        """The names of the joints that a configuration moves; of several robots each after its robot's name."""
+        return self._coordinates.names
+
+    @property
+    def limits(self) -> Doubles:
+        """The least and the greatest value of each of `joints`, shape (d, 2)."""
+        return self._coordinates.limits
+
+    @property
+    def is_continuous(self) -> Flags:
+        """Whether each of `joints` turns without limits, shape (d,)."""
+        return self._coordinates.is_continuous
+
+    @property
+    def linkage(self) -> Linkage:
+        """The joints, with the links as bodies of `world`: for questions to `world` itself."""
+        return self._linkage
 
     @property
     def open_bodies(self) -> list[str]:
@@ -132,34 +152,6 @@ class Scene:
                 return body
         raise InvalidOptions(f"the scene has no {name!r}: it has {', '.join(self._names.values())}")
 
-    def chain(self, start: npt.ArrayLike, end: npt.ArrayLike, *, whole_turns: bool = False) -> Doubles:
-        """Make the motions of all robots from one configuration to another, as `Robot.chain` does for one.
-
-        Parameters
-        ----------
-        start, end : array_like, shape (d,) or (n, d)
-            Configurations.
-        whole_turns : bool
-            As in `Robot.chain`.
-
-        Returns
-        -------
-        array of float64, shape (b, links, 4, 3) or (n, b, links, 4, 3)
-            A chain for each body of a robot.
-
-        Raises
-        ------
-        InvalidPath
-            As `Robot.chain`.
-        """
-        starts, ends = self._parted(start, "start"), self._parted(end, "end")
-        whole = truth(whole_turns, "whole_turns")
-        chains = [r.chain(a, b, whole_turns=whole) for r, a, b in zip(self.robots, starts, ends)]
-        longest = max(chain.shape[-3] for chain in chains)
-        padding = [(0, 0)] * (chains[0].ndim - 3)
-        filled = [np.pad(c, [*padding, (0, longest - c.shape[-3]), (0, 0), (0, 0)]) for c in chains]
-        return doubles(np.concatenate(filled, -4))
-
     def shorter_way(self, start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
         """Return `end` with continuous joints moved by whole turns, as `Robot.shorter_way`.
 
@@ -172,103 +164,118 @@ class Scene:
         -------
         array of float64, shape (d,) or (n, d)
             The end to give to the questions.
-        """
-        parts = zip(self.robots, self._parted(start, "start"), self._parted(end, "end"))
-        return np.concatenate([robot.shorter_way(a, b) for robot, a, b in parts], -1)
-
-    def _parted(self, given: npt.ArrayLike, name: str) -> list[Doubles]:
-        array = np.asarray(given)
-        if array.ndim not in (1, 2) or array.shape[-1] != self.dimension:
-            raise InvalidPath(
-                f"{name} has the shape {array.shape}: give a number for each of the {self.dimension} joints "
-                f"({', '.join(self.joints)})"
-            )
-        return np.split(array, np.cumsum([len(robot.joints) for robot in self.robots])[:-1], -1)
-
-    def is_valid(self, configurations: npt.ArrayLike) -> Any:
-        """Tell whether nothing overlaps at configurations; inside counts, and so does the scene's separation.
-
-        Parameters
-        ----------
-        configurations : array_like, shape (d,) or (n, d)
-            Configurations. Obstacles are where they are at t=0.
-
-        Returns
-        -------
-        bool, or array of bool, shape (n,)
-            True: no link overlaps another body.
 
         Raises
         ------
         InvalidPath
-            As `chain`.
+            As `Robot.chain`.
         """
-        chains = self.chain(configurations, configurations)
-        if chains.ndim == 4:
-            return not overlaps(self.world, self._bodies, chains, self._separation)
-        return np.array([not overlaps(self.world, self._bodies, chain, self._separation) for chain in chains], bool)
+        return self._coordinates.shorter_way(start, end)
+
+    def is_valid(self, configurations: npt.ArrayLike, *, min_separation: float | None = None) -> Any:
+        """Tell whether nothing overlaps or touches at configurations. A link inside an obstacle overlaps it.
+
+        Parameters
+        ----------
+        configurations : array_like, shape (d,) or (n, d)
+            Configurations. Obstacles are where their motions begin.
+        min_separation : float, optional
+            As in `World.contacts`: valid means farther apart than this.
+
+        Returns
+        -------
+        bool, or array of bool, shape (n,)
+            True is a proof.
+
+        Raises
+        ------
+        InvalidPath
+            As `Robot.chain`.
+        """
+        given = self._coordinates.some(configurations, "configurations")
+        found = self.world.configurations_are_free(self._linkage, np.atleast_2d(given), min_separation=min_separation)
+        return found if given.ndim == 2 else bool(found[0])
 
     def is_free(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, *, starts_are_valid: bool = False, whole_turns: bool = False
+        self,
+        start: npt.ArrayLike,
+        end: npt.ArrayLike,
+        *,
+        starts_are_valid: bool = False,
+        whole_turns: bool = False,
+        min_separation: float | None = None,
     ) -> Any:
-        """Tell whether edges are free of contacts.
+        """Tell whether edges are free: nothing overlaps at the start, and nothing touches at any time.
 
         Parameters
         ----------
         start, end : array_like, shape (d,) or (n, d)
             The configurations that each edge joins.
         starts_are_valid : bool
-            True skips `is_valid` of the starts, for planners that have called it.
+            True skips the test of the starts, for planners that have called `is_valid`.
         whole_turns : bool
             As in `Robot.chain`.
+        min_separation : float, optional
+            As in `World.contacts`: free means farther apart than this along the whole edge.
 
         Returns
         -------
         bool, or array of bool, shape (n,)
-            True is a proof: nothing touches and nothing overlaps at any time of the edge.
+            True is a proof.
 
         Raises
         ------
         InvalidPath
-            As `chain`.
+            As `Robot.chain`.
         """
-        found = self.last_valid(start, end, starts_are_valid=starts_are_valid, whole_turns=whole_turns)
-        return bool(found.is_free[0]) if np.ndim(start) == 1 else found.is_free
+        first, last = self._coordinates.edges(start, end, whole_turns)
+        known, ends = truth(starts_are_valid, "starts_are_valid"), (np.atleast_2d(first), np.atleast_2d(last))
+        found = self.world.edges_are_free(self._linkage, *ends, known, min_separation=min_separation)
+        return found if first.ndim == 2 else bool(found[0])
 
     def last_valid(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, *, starts_are_valid: bool = False, whole_turns: bool = False
+        self,
+        start: npt.ArrayLike,
+        end: npt.ArrayLike,
+        *,
+        starts_are_valid: bool = False,
+        whole_turns: bool = False,
+        min_separation: float | None = None,
     ) -> Edges:
         """Find how far along edges nothing touches, and what touches then.
 
         Parameters
         ----------
-        start, end, starts_are_valid, whole_turns
+        start, end, starts_are_valid, whole_turns, min_separation
             As in `is_free`.
 
         Returns
         -------
         Edges
-            Edge i is free before `fraction[i]`, proven.
+            Edge i is free before `fraction[i]`, proven. One edge given alone is edge 0.
 
         Raises
         ------
         InvalidPath
-            As `chain`.
+            As `Robot.chain`.
         """
-        chains = self.chain(start, end, whole_turns=whole_turns)
-        many = chains if chains.ndim == 5 else chains[np.newaxis]
-        skip = truth(starts_are_valid, "starts_are_valid")
-        return ask_edges(self.world, self._bodies, many, self._names, skip)
+        first, last = self._coordinates.edges(start, end, whole_turns)
+        known, ends = truth(starts_are_valid, "starts_are_valid"), (np.atleast_2d(first), np.atleast_2d(last))
+        found = self.world.last_valid(self._linkage, *ends, known, min_separation=min_separation)
+        pairs = [self._named(pair) for pair in found.bodies.tolist()]
+        return Edges(found.is_free, found.fraction, found.overlaps_at_start, pairs, found.points)
 
-    def first_bad_edge(self, waypoints: npt.ArrayLike, *, whole_turns: bool = False) -> TrajectoryAnswer:
+    def first_bad_edge(
+        self, waypoints: npt.ArrayLike, *, whole_turns: bool = False, min_separation: float | None = None
+    ) -> TrajectoryAnswer:
         """Find the first edge of a trajectory that is not free.
 
         Parameters
         ----------
         waypoints : array_like, shape (n, d)
             Configurations; n >= 2.
-        whole_turns : bool
-            As in `Robot.chain`.
+        whole_turns, min_separation
+            As in `is_free`.
 
         Returns
         -------
@@ -278,18 +285,46 @@ class Scene:
         Raises
         ------
         InvalidPath
-            As `chain`.
+            As `Robot.chain`.
         """
-        ways = np.asarray(waypoints)
-        if ways.ndim != 2 or len(ways) < 2:
-            raise InvalidPath(f"waypoints has the shape {ways.shape}: give two configurations or more, (n, d)")
-        edges = self.last_valid(ways[:-1], ways[1:], whole_turns=whole_turns)
-        bad = np.flatnonzero(~edges.is_free)
-        if not len(bad):
-            return TrajectoryAnswer(True, None, 1.0, None, None)
-        first = int(bad[0])
-        point = edges.points[first]
-        return TrajectoryAnswer(False, first, float(edges.fraction[first]), edges.pairs[first], point)
+        ways = np.atleast_2d(self._coordinates.some(waypoints, "waypoints"))
+        self._coordinates.edges(ways[:-1], ways[1:], whole_turns)
+        found = self.world.first_bad_edge(self._linkage, ways, min_separation=min_separation)
+        pair = None if found.bodies is None else self._named(found.bodies)
+        return TrajectoryAnswer(found.is_free, found.edge, found.fraction, pair, found.point)
+
+    def roadmap(
+        self, configurations: npt.ArrayLike, edges: npt.ArrayLike, *, min_separation: float | None = None
+    ) -> FreeRoadmap:
+        """Tell what is free of a whole roadmap.
+
+        Parameters
+        ----------
+        configurations : array_like, shape (n, d)
+            The roadmap's configurations.
+        edges : array_like of int, shape (e, 2)
+            The numbers of two configurations each. Continuous joints go as their numbers say.
+        min_separation : float, optional
+            As in `is_free`.
+
+        Returns
+        -------
+        FreeRoadmap
+            `configurations_are_free` (n,) and `edges_are_free` (e,).
+
+        Raises
+        ------
+        InvalidOptions
+            An edge that names a configuration that is not there.
+        InvalidPath
+            As `Robot.chain`.
+        """
+        given = self._coordinates.some(configurations, "configurations")
+        return self.world.roadmap(self._linkage, given, edges, min_separation=min_separation)
+
+    def _named(self, pair: Any) -> tuple[str, str] | None:
+        first, second = pair
+        return None if first < 0 else (self._names[first], self._names[second])
 
     def overlapping(self, configuration: npt.ArrayLike) -> list[tuple[str, str]]:
         """Find all pairs of bodies that overlap at a configuration.
@@ -307,17 +342,16 @@ class Scene:
         Raises
         ------
         InvalidPath
-            As `chain`.
+            As `Robot.chain`.
         """
-        self.world.move_many(self._bodies, self.chain(configuration, configuration))
-        rows = self.world.intersections()
-        found = {tuple(sorted(pair)) for pair in rows.bodies.tolist()}
-        if not found and self.world.has_overlap():  # one is inside the other: ask two at a time
-            found = {pair for pair in self._pairs() if self._overlap_alone(pair)}
+        at = self._coordinates.one(configuration, "configuration")
+        self.world.move_many(self._bodies, self._linkage.motions(at, at))
+        rows = np.sort(self.world.intersections().bodies, 1)
+        found = {(a, b) for a, b in rows.tolist() if a in self._bodies or b in self._bodies}
+        if not found and not self.is_valid(at):  # one is inside the other: test two bodies at a time
+            pairs = [(a, b) for a in self._bodies for b in self._names if a < b]
+            found = {pair for pair in pairs if self._overlap_alone(pair)}
         return [(self._names[a], self._names[b]) for a, b in sorted(found)]
-
-    def _pairs(self) -> list[tuple[int, int]]:
-        return [(a, b) for a in self._bodies for b in self._names if a < b or b not in self._bodies]
 
     def _overlap_alone(self, pair: tuple[int, int]) -> bool:
         everything = list(self._names)
@@ -340,7 +374,7 @@ class Scene:
         InvalidStep
             Bodies overlap. The message names the first pair.
         InvalidPath
-            As `chain`.
+            As `Robot.chain`.
         """
         found = self.overlapping(configuration)
         if found:
@@ -354,5 +388,5 @@ class Scene:
     def __repr__(self) -> str:
         obstacles = len(self._names) - len(self._bodies)
         return (
-            f"Scene({', '.join(robot.name for robot in self.robots)}, {self.dimension} joints, {obstacles} obstacles)"
+            f"Scene({', '.join(robot.name for robot in self.robots)}, {len(self.joints)} joints, {obstacles} obstacles)"
         )

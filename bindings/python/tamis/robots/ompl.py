@@ -17,7 +17,6 @@ import numpy.typing as npt
 
 from tamis._arrays import Doubles
 from tamis._checks import instance
-from tamis._errors import InvalidOptions
 from tamis._versions import needed
 from tamis.robots._scene import Scene
 
@@ -72,15 +71,8 @@ def space_of(scene: Scene) -> Any:
     -------
     ompl.base.StateSpace
         A RealVectorStateSpace if no joint is continuous, else a CompoundStateSpace.
-
-    Raises
-    ------
-    InvalidOptions
-        The scene's robots have no joint.
     """
     limits, turning = instance(scene, Scene, "scene", "a tamis.robots.Scene").limits, scene.is_continuous
-    if not len(limits):
-        raise InvalidOptions("the scene has no joint that moves: there is nothing to plan")
     limited = ob.RealVectorStateSpace(int((~turning).sum()))
     bounds = ob.RealVectorBounds(int((~turning).sum()))
     for i, (low, high) in enumerate(limits[~turning]):
@@ -140,7 +132,7 @@ def state_of(configuration: npt.ArrayLike, scene: Scene, space: Any) -> Any:
     ompl.base.State
         The state.
     """
-    values = np.asarray(configuration, float)
+    values = scene.shorter_way(configuration, configuration)
     state, turning = space.allocState(), scene.is_continuous
     limited = state if not turning.any() else state[0]
     if not turning.all():
@@ -164,11 +156,6 @@ def simple_setup(scene: Scene) -> Any:
     -------
     ompl.geometric.SimpleSetup
         Give it start and goal by `set_start_and_goal`, and a planner by its `setPlanner`.
-
-    Raises
-    ------
-    InvalidOptions
-        The scene's robots have no joint.
     """
     setup = og.SimpleSetup(space_of(scene))
     information = setup.getSpaceInformation()
@@ -220,4 +207,4 @@ def waypoints_of(path: Any, scene: Scene) -> Doubles:
     found = [configuration_of(state, scene) for state in path.getStates()]
     for i in range(1, len(found)):
         found[i] = scene.shorter_way(found[i - 1], found[i])
-    return np.array(found).reshape(-1, scene.dimension)
+    return np.array(found).reshape(-1, len(scene.joints))

@@ -85,11 +85,12 @@ def test_scaled_and_mirrored_meshes_are_solids(tmp_path: pathlib.Path, scale: tu
     a, b, c = shape.points[shape.mesh.faces].transpose(1, 0, 2)
     volume = np.linalg.det(np.stack([a, b, c], 1)).sum() / 6
     assert np.isclose(volume, abs(np.prod(scale)))  # positive: its faces look outward
-    scene = robots.Scene(robot)
-    assert scene.open_bodies == []
-    size = np.abs(scale).min() * 0.01
-    scene.add("grain", trimesh.creation.box([size] * 3), tamis.pose_of([0, 0, 0.0], np.array(scale) * [0.3, 0.3, 0.2]))
-    assert not scene.is_valid([])
+    world = tamis.World()
+    assert world.is_closed(world.add(shape))
+    grain = trimesh.creation.box([np.abs(scale).min() * 0.01] * 3)
+    inside = tamis.pose_of([0, 0, 0.0], np.array(scale) * [0.3, 0.3, 0.2])
+    world.add(tamis.Shape(tamis.Mesh(grain.faces), grain.vertices), inside)
+    assert world.has_overlap(include_static=True)
 
 
 def test_a_package_is_found_around_the_file_or_where_it_is_said(tmp_path: pathlib.Path) -> None:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import pathlib
+import subprocess
+import sys
 from typing import Any
 
 import numpy as np
 import pytest
+import test_docs
 from test_robots import ELBOW, LINKS, SHOULDER, Cube, joint
 
 import tamis
@@ -93,3 +96,17 @@ def test_a_start_that_overlaps_is_named(scene: robots.Scene) -> None:
     setup = ompl.simple_setup(scene)
     with pytest.raises(tamis.InvalidStep, match="'lower' and 'post' overlap at this configuration"):
         ompl.set_start_and_goal(setup, scene, [0, 0], GOAL)
+
+
+def test_the_page_for_planners() -> None:
+    """Every block of the page runs, and prints what the page says."""
+    trimesh = pytest.importorskip("trimesh", reason="trimesh is not installed: bindings/python/requirements-hosts.txt")
+    data = pathlib.Path(trimesh.__file__).parents[1] / "cmeel.prefix/share/example-robot-data"
+    if not data.is_dir():
+        pytest.skip("example-robot-data is not installed: bindings/python/requirements-hosts.txt")
+    test_docs.test_page("docs/planners.md")
+    folder = test_docs.ROOT / "examples/assembly"
+    printed = subprocess.run(
+        [sys.executable, str(folder / "insertion.py")], check=True, capture_output=True, text=True
+    ).stdout
+    assert printed == (folder / "insertion.py.txt").read_text()

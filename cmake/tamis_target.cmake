@@ -67,6 +67,7 @@ function(tamis_export_c_functions target)
   if(WIN32)
     return()
   endif()
+  set(CMAKE_REQUIRED_QUIET ON)  # a linker has one of them: the other is not missing
   check_linker_flag(CXX "-Wl,--version-script=${map}" TAMIS_LINKER_READS_VERSIONS)
   check_linker_flag(CXX "-Wl,-exported_symbol,_tamis_*" TAMIS_LINKER_READS_NAMES)
   if(TAMIS_LINKER_READS_VERSIONS)

@@ -9,8 +9,15 @@ world.add(rod, tamis.pose_of([0, -np.pi / 2, 0], [1.2, 1.2, -0.5]))  # the post 
 upper, lower = world.add(rod), world.add(rod)
 world.set_may_touch([upper, lower], False)
 
-places = tamis.pose_of(np.zeros((2, 3)), [[0, 0, 0], [1, 0, 0]])  # of shoulder and elbow, each in its parent's frame
-arm = tamis.Linkage([-1, 0], places, ["turning"] * 2, [[0, 0, 1]] * 2, [0, 1], [upper, lower], [0, 1])
+arm = tamis.Linkage(
+    parents=[-1, 0],                      # shoulder and elbow; -1: the world carries the joint
+    places=tamis.pose_of(np.zeros((2, 3)), [[0, 0, 0], [1, 0, 0]]),  # each in its parent's frame
+    kinds=["turning", "turning"],
+    axes=[[0, 0, 1], [0, 0, 1]],
+    coordinates=[0, 1],                   # which number of a configuration moves each
+    bodies=[upper, lower],                # their numbers, from add
+    carriers=[0, 1],                      # which joint carries each body
+)
 home, high, folded = (0.0, 0.0), (1.5, 0.0), (0.0, 2.5)
 print(world.edges_are_free(arm, [home, home, folded], [high, folded, high]))
 answer = world.last_valid(arm, [home], [high])

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""build_host.py WORK HOST: an environment with the wheel that build_wheel.py made and a host, a program Tamis works in.
+"""build_host.py WORK HOST [--newest]: an environment with the wheel that build_wheel.py made and a host, a program Tamis works in.
 
 Makes WORK/HOST: an environment with the wheel, the packages of its extra of that name, and pytest. Versions are those of
 bindings/python/requirements-hosts.txt. PyPI is asked only if these or the needs of the tests have changed; exit code 77 if it
-cannot be reached.
+cannot be reached. With --newest it makes WORK/HOST-newest, with the host's newest version on PyPI.
 """
 
 import pathlib
@@ -19,6 +19,18 @@ TESTS_NEED = {"newton": ["usd-core"], "blender": ["bpy"], "robots": ["example-ro
 UNPINNED = ("blender",)
 
 
+def make_newest(work: pathlib.Path, host: str, wheel: pathlib.Path, names: "list[str]") -> int:
+    """Install the newest version of a host that PyPI has, and print it."""
+    python = ordinary.environment(work / f"{host}-newest")
+    try:
+        ordinary.pip(work, "--python", python, "install", "--no-compile", wheel, host, *names)
+    except subprocess.CalledProcessError:
+        print(f"skipped: the newest {host} cannot be had")
+        return ordinary.SKIPPED
+    print(ordinary.run(python, "-c", f"from importlib import metadata; print('{host}', metadata.version('{host}'))"), end="")
+    return 0
+
+
 def main() -> int:
     work, host = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
     wheels = sorted((work / "dist").glob("*.whl"))
@@ -26,6 +38,8 @@ def main() -> int:
         print("skipped: build_wheel.py has made no wheel")
         return ordinary.SKIPPED
     names = ["pytest", "hypothesis", *TESTS_NEED.get(host, [])]
+    if sys.argv[3:] == ["--newest"]:
+        return make_newest(work, host, wheels[0], names)
     pinned = [] if host in UNPINNED else ["-c", ordinary.REQUIREMENTS]
     wanted = [f"{wheels[0]}[{host}]", *names, "-c", REQUIREMENTS, *pinned]
     pins = [

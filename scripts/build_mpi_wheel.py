@@ -2,7 +2,7 @@
 """build_mpi_wheel.py WORK BUILD: an environment with the module for Python and `tamis.distributed`, which is not shipped.
 
 Makes WORK/ranks, after build_wheel.py: an environment with that module, mpi4py and pytest. The wheel uses the system's
-MPI, which was found for BUILD, so it is not repaired. Exit code 77 if build_wheel.py found no tools.
+MPI, which was found for BUILD. Exit code 77 if build_wheel.py found no tools.
 """
 
 import pathlib

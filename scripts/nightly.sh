@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # nightly.sh: runs all tests, and checks that take too long for every day: each source compiled by itself, clang-tidy over
 # all sources, the core tests without oneTBB, both commands of the README and four compilers on new roots of both Debians,
-# packages and release, both sanitizers, the core tests on 64-bit ARM, Windows and in WebAssembly, a build for macOS, an hour of
+# packages, release and its wheel, the newest hosts, both sanitizers, the core tests on 64-bit ARM, Windows and in WebAssembly, a build for macOS, an hour of
 # attacks and 50 minutes of fuzzing. Takes some seven hours on two cores. Goes on after a failure, and names the failures at the end.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -16,6 +16,10 @@ run scripts/setup.sh --blender  # the add-on's tests run in the program, too, if
 run scripts/test.sh --all
 run python3 scripts/build_host.py build/all/python blender
 run env TAMIS_WHEEL="$(ls build/all/python/dist/*.whl)" TAMIS_BACKEND="$(ls build/all/python/wheels/nanobind_backend-*.whl)" build/all/python/blender/bin/python -m pytest bindings/python/tests/hosts/test_blender.py
+for host in newton mujoco; do  # do the newest versions work as those that were tested?
+  run python3 scripts/build_host.py build/all/python "$host" --newest
+  run "build/all/python/$host-newest/bin/python" -m pytest bindings/python/tests/hosts/test_"$host"*.py
+done
 run cmake --preset dev -B build/alone -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
 run cmake --build build/alone
 run scripts/check_tidy.sh build/all/tidy --all
@@ -34,6 +38,8 @@ run scripts/test_vcpkg.sh
 run scripts/test_crate.sh
 run scripts/test_npm.sh --bundler
 run scripts/release.sh "$(sed -n 's/^project(tamis VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)" build/release/nightly
+run scripts/python_versions.sh build/release/nightly/*manylinux*x86_64.whl python3
+run scripts/refused_wheels.sh build/release/nightly/*manylinux*x86_64.whl
 for release in trixie bookworm; do
   run env TAMIS_DATA="$PWD/build/release/nightly" scripts/try_in_root.sh --data "$release" scripts/try_release.sh ../shared/data
 done

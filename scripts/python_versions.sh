@@ -1,27 +1,21 @@
 #!/usr/bin/env bash
-# python_versions.sh BUILD PYTHON...: builds and tests the module with other Pythons than the system's, oldest first. BUILD
-# is the folder in which Tamis was built. Each PYTHON gets an environment in BUILD/python-versions, with packages of PyPI.
-# The first Python that has the stable ABI builds a wheel for it; later ones install that same file.
+# python_versions.sh WHEEL PYTHON...: tests one wheel with several Pythons. Each gets a new environment in build/python-versions, in
+# which pip installs the wheel and what it needs. The README's example and the command run there, then the module's tests.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-build=$(realpath "$1")
+wheel=$(realpath "$1")
 shift
-folder=$build/python-versions
-stable=
 for python in "$@"; do
   version=$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
-  work=$folder/$version
+  work=$PWD/build/python-versions/$version
+  echo "Python $version: ${wheel##*/}"
   rm -rf "$work"
   "$python" -m venv "$work"
-  quietly=("$work/bin/pip" --quiet --disable-pip-version-check)
-  "${quietly[@]}" install numpy pytest hypothesis pandas matplotlib scikit-build-core nanobind nanobind-backend
-  wheel=$stable
-  if [[ -z $wheel ]]; then
-    "${quietly[@]}" wheel . --no-build-isolation --no-deps --wheel-dir "$work" --config-settings="cmake.define.TAMIS_BUILT=$build"
-    wheel=$(echo "$work"/*.whl)
-    [[ $wheel != *-abi3-* ]] || stable=$wheel
-  fi
-  echo "Python $version: ${wheel##*/}"
-  "${quietly[@]}" install --no-deps "$wheel"
-  env --unset=PYTHONPATH MPLBACKEND=Agg TAMIS_COMMAND="$build/bin/tamis" "$work/bin/pytest"
+  pip=("$work/bin/pip" --quiet --disable-pip-version-check install)
+  "${pip[@]}" "$wheel"
+  "$work/bin/python" examples/hello.py | diff - examples/output/hello.py.txt
+  "$work/bin/tamis" --help >/dev/null
+  "${pip[@]}" pytest hypothesis pandas matplotlib
+  command=$("$work/bin/python" -c 'import tamis, pathlib; print(pathlib.Path(tamis.__file__).with_name("command") / "bin/tamis")')
+  env --unset=PYTHONPATH MPLBACKEND=Agg TAMIS_COMMAND="$command" "$work/bin/python" -m pytest
 done

@@ -4,6 +4,7 @@
 #   --all-tests    those of scripts/test.sh --all, and the viewer's tools
 #   --python       those to build the module for Python
 #   --compilers    the other compilers that the release has (scripts/check_compilers.sh)
+#   --wheels       those of the wheels that are shipped (scripts/release_wheels.sh)
 #   --blender      Blender, in which the add-on is tested (besides the module bpy)
 #   --site         Doxygen and Python, which build the site (scripts/site.sh)
 #   --arm64        those of the tests on 64-bit ARM
@@ -30,6 +31,7 @@ case ${1:-} in
     command -v npm >/dev/null || packages+=(nodejs npm)
     ;;
   --python) packages+=(python3-venv python3-dev) ;;
+  --wheels) packages+=(python3-venv python3-dev g++-aarch64-linux-gnu dpkg-dev) ;;
   --compilers)
     for version in g++-12 g++-14 clang-14 clang-19; do
       ! apt-cache show "$version" >/dev/null 2>&1 || packages+=("$version")
@@ -46,7 +48,7 @@ case ${1:-} in
   --packages) packages+=(python3 dpkg-dev file lintian) ;;
   --bench) packages+=(libbenchmark-dev libembree-dev libcgal-dev libbullet-dev libfcl-dev python3-matplotlib) ;;
   "") ;;
-  *) echo "setup: no option is called $1: use --core-tests, --all-tests, --python, --compilers, --blender, --site, --arm64, --windows, --wasm, --packages or --bench" >&2; exit 2 ;;
+  *) echo "setup: no option is called $1: use --core-tests, --all-tests, --python, --wheels, --compilers, --blender, --site, --arm64, --windows, --wasm, --packages or --bench" >&2; exit 2 ;;
 esac
 
 is_installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }

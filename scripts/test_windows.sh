@@ -23,29 +23,6 @@ done
 packages=$PWD/build/windows-packages
 export WINEDEBUG=-all WINEPREFIX=$packages/wine
 
-# by_cmake SOURCE NAME OPTION...: builds and installs a library.
-by_cmake() {
-  cmake -S "$1" -B "$packages/from_source/$2" -G Ninja --toolchain "$PWD/cmake/windows.cmake" \
-    -D TAMIS_WINDOWS_PACKAGES="$packages" -D CMAKE_BUILD_TYPE=Release "${@:3}"
-  cmake --build "$packages/from_source/$2"
-  cmake --install "$packages/from_source/$2" --prefix "$packages"
-}
-
-gather() {
-  rm -rf "$packages"
-  scripts/header_package.sh "$packages" xsimd xsimd libxsimd-dev xsimd
-  ln -s /usr/include/boost "$packages/include/"  # cmake/FindBoostHeaders.cmake needs no more
-  scripts/header_package.sh "$packages" CLI11 CLI11::CLI11 libcli11-dev CLI
-  scripts/header_package.sh "$packages" nlohmann_json nlohmann_json::nlohmann_json nlohmann-json3-dev nlohmann
-  scripts/header_package.sh "$packages" fmt fmt::fmt libfmt-dev fmt FMT_HEADER_ONLY
-  scripts/header_package.sh "$packages" Eigen3 Eigen3::Eigen libeigen3-dev eigen3/Eigen
-  by_cmake /usr/src/googletest googletest -D BUILD_GMOCK=OFF
-  scripts/debian_source.sh meshoptimizer "$packages/sources/meshoptimizer"
-  by_cmake "$packages/sources/meshoptimizer" meshoptimizer
-  wine wineboot --init
-  touch "$packages/complete"
-}
-
 fail() { echo "test_windows.sh: $*" >&2; exit 1; }
 
 # The kernels: g++ does not align the stack for wide registers on Windows (src/search/kernels/CMakeLists.txt).
@@ -73,7 +50,8 @@ check_dll() {
 }
 
 scripts/setup.sh --windows || { echo "skipped: Debian's compiler for Windows, or Wine, cannot be had"; exit 77; }
-[[ -e $packages/complete ]] || gather
+scripts/static_packages.sh "$packages" --googletest --toolchain "$PWD/cmake/windows.cmake" -D TAMIS_WINDOWS_PACKAGES="$packages"
+[[ -e $WINEPREFIX ]] || wine wineboot --init
 cmake --preset windows -D TAMIS_WINDOWS_PACKAGES="$packages"
 cmake --build --preset windows --target "${targets[@]}"
 dll=libtamis_c-0.1.dll

@@ -8,6 +8,7 @@
 #include "benchmarks/mean_edge.hpp"
 #include "matrix/versions.hpp"
 #include "scenes/point_math.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::matrix {
 namespace {
@@ -18,7 +19,7 @@ constexpr int kSubsteps = 20;
 
 double seconds_by(clockid_t clock) {
   timespec now{};
-  clock_gettime(clock, &now);
+  if (clock_gettime(clock, &now) != 0) throw InvalidOptions("this system has no clock of processor time: use --wall");
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 

@@ -29,8 +29,9 @@ void check_numbers(const Elements& elements, const std::string& what) {
 }
 
 [[noreturn]] void refuse_group(const std::string& who, Index group, const PairFilter& filter) {
-  throw InvalidOptions(who + " is in group " + std::to_string(group) + ": groups must be in [0, " +
-                       std::to_string(filter.group_count) + ")");
+  throw InvalidOptions(who + " is in group " + std::to_string(group) + ", but group_count is " +
+                       std::to_string(filter.group_count) +
+                       ": give groups in [0, group_count), or set group_count to their number");
 }
 
 void check_groups(const PairFilter& filter, std::size_t rows) {

@@ -30,23 +30,23 @@ concept IndexMatrix = AnyMatrix<M> && requires(const M& m, std::ptrdiff_t i) {
 
 namespace from_matrix {
 
-/// Requires a number of columns of a matrix; `what` names its rows in the message.
+/// Requires a number of columns of a matrix. The message names its rows (`what`), and what takes flat numbers (`flat`).
 /// Throws Error if the matrix has another number.
 template <class Error, AnyMatrix M>
-void require_columns(const M& matrix, std::ptrdiff_t columns, const char* what) {
+void require_columns(const M& matrix, std::ptrdiff_t columns, const char* what, const char* flat) {
   if (matrix.cols() != columns)
     throw Error("the matrix of " + std::string(what) + " has " + std::to_string(matrix.rows()) + " rows and " +
                 std::to_string(matrix.cols()) + " columns: give a row of " + std::to_string(columns) +
-                " for each (of a matrix with a column for each its transpose())");
+                " for each (of a matrix with a column for each its transpose(); of flat numbers " + flat + ")");
 }
 
 /// Copies a matrix of one row a feature.
 /// Returns the features. An index that does not fit into Index becomes -1, which Mesh refuses, naming the feature.
 /// Throws InvalidMesh if the matrix has another number of columns than a feature has vertices.
 template <class Feature, IndexMatrix M>
-std::vector<Feature> rows_of(const M& matrix, const char* what) {
+std::vector<Feature> rows_of(const M& matrix, const char* what, const char* flat) {
   std::vector<Feature> rows(static_cast<std::size_t>(matrix.rows()));
-  require_columns<InvalidMesh>(matrix, std::tuple_size_v<Feature>, what);
+  require_columns<InvalidMesh>(matrix, std::tuple_size_v<Feature>, what, flat);
   for (std::size_t row = 0; row < rows.size(); ++row)
     for (std::size_t column = 0; column < rows[row].size(); ++column) {
       const auto index = matrix(static_cast<std::ptrdiff_t>(row), static_cast<std::ptrdiff_t>(column));
@@ -73,12 +73,12 @@ std::vector<Feature> rows_of(const Index* indices, std::size_t count, std::ptrdi
 /// Throws InvalidMesh if the matrix has another number of columns.
 template <IndexMatrix M>
 std::vector<Face> faces_of(const M& matrix) {
-  return from_matrix::rows_of<Face>(matrix, "faces");
+  return from_matrix::rows_of<Face>(matrix, "faces", "faces_of(data, count)");
 }
 /// Copies the loose edges of a mesh from n x 2 indices; otherwise the same.
 template <IndexMatrix M>
 std::vector<Edge> edges_of(const M& matrix) {
-  return from_matrix::rows_of<Edge>(matrix, "edges");
+  return from_matrix::rows_of<Edge>(matrix, "edges", "edges_of(data, count)");
 }
 
 /// Copies `count` triples of indices. `stride`: number of indices from one's first to the next one's first.
@@ -97,7 +97,7 @@ inline std::vector<Edge> edges_of(const Index* indices, std::size_t count, std::
 /// Throws InvalidStep if the matrix has another number of columns.
 template <AnyMatrix M>
 std::vector<Point> points_of(const M& matrix) {
-  from_matrix::require_columns<InvalidStep>(matrix, 3, "positions");
+  from_matrix::require_columns<InvalidStep>(matrix, 3, "positions", "Positions(data, vertices)");
   std::vector<Point> points(static_cast<std::size_t>(matrix.rows()));
   for (std::size_t row = 0; row < points.size(); ++row) {
     const auto r = static_cast<std::ptrdiff_t>(row);

@@ -19,8 +19,8 @@ enum class JointKind : std::uint8_t {
   sliding,  ///< along its axis, by its value
 };
 
-/// A joint. Its frame in the frame of its parent: first its own motion by its value, then `place`. The value is
-/// `factor` times a number of the configuration, plus `offset`. Joints with the same coordinate move together.
+/// A joint. Its frame is the frame of its parent, times `place`, times its motion by its value, as in a URDF. The value
+/// is `factor` times a number of the configuration, plus `offset`. Joints with the same coordinate move together.
 struct Joint {
   Index parent = -1;                  ///< the joint that carries it, before it in the list; -1: the world
   Pose place = {};                    ///< its frame at the value 0, in the frame of its parent

@@ -11,6 +11,13 @@ using Index = std::int32_t;         ///< the number of a vertex, an edge, a face
 using Face = std::array<Index, 3>;  ///< vertex indices, in the caller's winding
 using Edge = std::array<Index, 2>;  ///< vertex indices, ascending
 
+/// A matrix or an expression of any kind.
+template <class M>
+concept MatrixLike = requires(const M& m) {
+  m.rows();
+  m.cols();
+};
+
 /// Triangles, plus optional loose edges (rods) and loose points. Legal are any winding, open and non-manifold meshes,
 /// duplicate and degenerate triangles, and unused vertices (they take no part in contacts). A triangle that names one
 /// vertex three times counts as a loose point, too.
@@ -21,6 +28,13 @@ class Mesh {
   /// three times the faces plus the loose edges are more than 2^31 - 1.
   Mesh(Index vertex_count, std::vector<Face> faces, const std::vector<Edge>& loose_edges = {},
        std::vector<Index> loose_points = {});
+  // Compilers show the line of the deleted constructor: its comment says what to do.
+  // clang-format off
+  template <MatrixLike M, class... Others>
+  Mesh(Index, const M&, const Others&...) = delete;  // A matrix? tamis::faces_of(matrix).
+  template <MatrixLike M, class... Others>
+  Mesh(Index, const std::vector<Face>&, const M&, const Others&...) = delete;  // A matrix? tamis::edges_of(matrix).
+  // clang-format on
 
   /// Returns the number of rows of the positions of every step.
   [[nodiscard]] Index vertex_count() const { return vertex_count_; }

@@ -31,12 +31,6 @@ concept RowMajorMatrix = DenseMatrix<M> && bool(M::IsRowMajor);
 /// One vertex a column, column by column: three rows, known to the compiler (Eigen's Matrix3Xd).
 template <class M>
 concept ThreeRowMatrix = DenseMatrix<M> && !bool(M::IsRowMajor) && M::RowsAtCompileTime == 3;
-/// A matrix or an expression of any kind.
-template <class M>
-concept MatrixLike = requires(const M& m) {
-  m.rows();
-  m.cols();
-};
 /// A matrix that is not a view: its memory goes with it.
 template <class M>
 concept OwningMatrix = DenseMatrix<M> && requires {
@@ -111,11 +105,11 @@ class Positions {
   Positions(const R&&) = delete;  // A temporary may be gone when the question is asked: keep it in a variable.
   template <OwningMatrix M>
   Positions(const M&&) = delete;  // A temporary may be gone when the question is asked: keep it in a variable.
-  template <MatrixLike M>
-  requires DenseMatrix<M> &&(!RowMajorMatrix<M> && !ThreeRowMatrix<M>)
-      Positions(const M&) = delete;  // Column-major? Use a RowMajor matrix, a Matrix3Xd, or tamis::points_of(matrix).
   // The sentence must stand in the line that compilers show.
   // clang-format off
+  template <MatrixLike M>
+  requires(DenseMatrix<M> && !RowMajorMatrix<M> && !ThreeRowMatrix<M>)
+  Positions(const M&) = delete;  // Column-major? Keep tamis::points_of(x). Flat x y z? Positions(x.data(), vertices).
   template <MatrixLike M>
   requires(!DenseMatrix<M>)
   Positions(const M&) = delete;  // Floats, or an expression without memory? tamis::points_of(x) copies it as doubles.

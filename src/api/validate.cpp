@@ -59,7 +59,8 @@ void validate(const PairFilter& filter, const Mesh& mesh) {
     if (is_point) ++point;
     if (group < (is_point ? 0 : -1) || group >= filter.group_count)
       throw InvalidOptions("vertex " + std::to_string(v) + " is in group " + std::to_string(group) +
-                           ": groups must be in [0, " + std::to_string(n) + ")");
+                           ", but group_count is " + std::to_string(n) +
+                           ": give groups in [0, group_count), or set group_count to their number");
   }
 }
 
@@ -83,7 +84,8 @@ void validate_layout(const Positions& positions, const char* what) {
     throw InvalidStep(
         std::string(what) +
         " is not an n x 3 array of doubles, row by row: give three columns next to each other (of Eigen a "
-        "RowMajor matrix or a Matrix3Xd, or points_of(matrix)) and a stride of at least 3");
+        "RowMajor matrix or a Matrix3Xd, or points_of(matrix); of flat numbers Positions(data, vertices)) and a stride "
+        "of at least 3");
 }
 
 }  // namespace
@@ -114,7 +116,8 @@ void validate(const Options& options, const Mesh& mesh) {
   validate(options.filter, mesh);
   if (!options.radii.empty() && options.radii.size() != at(options.filter.group_count))
     throw InvalidOptions("radii has " + std::to_string(options.radii.size()) + " entries for " +
-                         std::to_string(options.filter.group_count) + " groups: give one radius a group, or none");
+                         std::to_string(options.filter.group_count) +
+                         " groups: give one radius a group, or none (group_of_vertex and group_count make groups)");
   const auto refused = std::ranges::find_if_not(options.radii, is_distance);
   if (refused != options.radii.end())
     validate_distance(*refused, "the radius of group " + std::to_string(refused - options.radii.begin()));

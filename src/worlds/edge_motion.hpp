@@ -11,7 +11,7 @@
 namespace tamis {
 
 /// Times of an edge are counted in parts of 2^-kFinest.
-inline constexpr int kFinest = 8;
+inline constexpr int kFinest = 10;
 inline constexpr std::size_t kTimes = (std::size_t{1} << kFinest) + 1;
 
 /// Where a body is at one time. No vertex is off by more than `margin` along any direction of length 1. This covers
@@ -88,7 +88,7 @@ class BodyOnEdge {
   std::uint64_t edge_ = 1;
   std::vector<std::uint64_t> edge_of_;  ///< for which edge each place was computed
   std::vector<PlaceOnEdge> places_;
-  std::vector<MiddleBox> boxes_;  ///< of its nodes
+  std::vector<MiddleBox> boxes_;                     ///< of its nodes
   std::vector<std::unique_ptr<PlacedLeaf>> leaves_;  ///< three of each, unless it stays; null until requested
 };
 

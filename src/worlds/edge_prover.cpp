@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kLastLevel = kFinest - 1;
 /// Visits of one pair on one edge, after which a detector decides it.
-constexpr int kMostVisits = 1 << 14;
+constexpr int kMostVisits = 1 << 15;
 /// Levels whose middles are probed for collisions before anything is proven.
 constexpr int kProbedLevels = 2;
 
@@ -240,7 +240,8 @@ void EdgeProver::prove(const Task& task, int level) {
         task.last == task.first + 1 && root.a == piece.a->shape().tree.root() && root.b == piece.b->shape().tree.root();
     if (task.piece == 0 && is_root && !now_->is_near) now_->is_apart_at_start = true;
   } else {
-    for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) later_.push_back({task.pair, 2 * task.piece + half, first, next_.size()});
+    for (const std::size_t half : {std::size_t{0}, std::size_t{1}})
+      later_.push_back({task.pair, 2 * task.piece + half, first, next_.size()});
   }
 }
 
@@ -382,7 +383,8 @@ void EdgeProver::visit_leaves(const Piece& piece, const Item& leaves) {
 void EdgeProver::visit_items(const Piece& piece, const Item& items) {
   const Index item_a = -1 - items.a, item_b = -1 - items.b;
   const auto corners = [&](std::size_t i) {
-    return std::pair(piece.a->corners_at(piece.at_a[i]->place, item_a), piece.b->corners_at(piece.at_b[i]->place, item_b));
+    return std::pair(piece.a->corners_at(piece.at_a[i]->place, item_a),
+                     piece.b->corners_at(piece.at_b[i]->place, item_b));
   };
   const auto [a, b] = corners(1);
   const Gap gap = gap_of(a, b);

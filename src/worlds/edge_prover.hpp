@@ -117,7 +117,7 @@ class EdgeProver {
   std::vector<std::vector<std::unique_ptr<BodyOnEdge>>> frames_;  ///< by frame + 1, then place in the linkage
   BodyTree still_;
   bool ends_at_collision_ = false;
-  bool stays_ = false;  ///< the edge leads nowhere
+  bool stays_ = false;                    ///< the edge leads nowhere
   std::size_t first_collision_ = kTimes;  ///< a time at which a pair surely collides
   std::vector<Pair> pairs_;
   std::vector<Item> front_, next_, stack_;

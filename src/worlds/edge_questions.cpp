@@ -40,11 +40,17 @@ PathOptions of_edges(const EdgeOptions& asked) { return {asked.min_separation, A
 }  // namespace
 
 template <class Test>
-void World::State::for_each_edge(const LinkageTree& tree, std::size_t count, const EdgeOptions& how, const Test& test) {
+void World::State::for_each_edge(const std::shared_ptr<const LinkageTree>& tree, std::size_t count,
+                                 const EdgeOptions& how, const Test& test) {
   const PathOptions asked = of_edges(how);
   tamis::validate(asked);
-  for (const BodyId id : tree.bodies) body(id);
-  Pool<Edges> edges([&](std::size_t) { return std::make_unique<Edges>(*this, tree, asked); });
+  for (const BodyId id : tree->bodies) body(id);
+  if (!edge_testers_ || !edge_testers_->serve(tree, asked, turns_)) {
+    edge_testers_.reset();
+    edge_testers_ = std::make_shared<EdgeTesters>(*this, tree, asked);
+  }
+  Pool<Edges>& edges = edge_testers_->pool;
+  for (const auto& each : edges.all()) each->statistics() = {};
   Arena(options).run([&] {
     parallel_for(count, 1, [&](std::size_t i, std::size_t end) {
       const auto mine = edges.take();
@@ -64,7 +70,7 @@ std::vector<bool> World::configurations_are_free(const Linkage& linkage, std::sp
   const State::QuestionTurn now(*this);
   const Configurations all(configurations, linkage.dimension(), "configurations");
   std::vector<char> free(all.count());
-  now->for_each_edge(*linkage.tree_, free.size(), asked, [&](State::Edges& edges, std::size_t i) {
+  now->for_each_edge(linkage.tree_, free.size(), asked, [&](State::Edges& edges, std::size_t i) {
     free[i] = edges.is_free(all[i], all[i], asked.starts_are_free);
   });
   return {free.begin(), free.end()};
@@ -76,7 +82,7 @@ std::vector<bool> World::edges_are_free(const Linkage& linkage, std::span<const 
   const Configurations from(starts, linkage.dimension(), "starts"), to(ends, linkage.dimension(), "ends");
   State::refuse_uneven(from.count(), to.count());
   std::vector<char> free(from.count());
-  now->for_each_edge(*linkage.tree_, free.size(), asked, [&](State::Edges& edges, std::size_t i) {
+  now->for_each_edge(linkage.tree_, free.size(), asked, [&](State::Edges& edges, std::size_t i) {
     free[i] = edges.is_free(from[i], to[i], asked.starts_are_free);
   });
   return {free.begin(), free.end()};
@@ -88,7 +94,7 @@ std::vector<EdgeAnswer> World::last_valid(const Linkage& linkage, std::span<cons
   const Configurations from(starts, linkage.dimension(), "starts"), to(ends, linkage.dimension(), "ends");
   State::refuse_uneven(from.count(), to.count());
   std::vector<EdgeAnswer> answers(from.count());
-  now->for_each_edge(*linkage.tree_, answers.size(), asked, [&](State::Edges& edges, std::size_t i) {
+  now->for_each_edge(linkage.tree_, answers.size(), asked, [&](State::Edges& edges, std::size_t i) {
     answers[i] = edges.last_valid(from[i], to[i], asked.starts_are_free);
   });
   return answers;
@@ -109,7 +115,7 @@ FirstBadEdge World::first_bad_edge(const Linkage& linkage, std::span<const doubl
   const std::size_t count = all.count() - 1;
   std::atomic<std::size_t> first = count;
   const auto is_known = [&](std::size_t i) { return i > 0 || asked.starts_are_free; };
-  now->for_each_edge(*linkage.tree_, count, asked, [&](State::Edges& edges, std::size_t i) {
+  now->for_each_edge(linkage.tree_, count, asked, [&](State::Edges& edges, std::size_t i) {
     if (i > first || edges.is_free(all[i], all[i + 1], is_known(i))) return;
     std::size_t before = first;
     while (i < before && !first.compare_exchange_weak(before, i)) continue;
@@ -117,7 +123,7 @@ FirstBadEdge World::first_bad_edge(const Linkage& linkage, std::span<const doubl
   FirstBadEdge found;
   if (first == count) return found;
   found.edge = first;
-  now->for_each_edge(*linkage.tree_, 1, asked, [&](State::Edges& edges, std::size_t) {
+  now->for_each_edge(linkage.tree_, 1, asked, [&](State::Edges& edges, std::size_t) {
     found.answer = edges.last_valid(all[first], all[first + 1], is_known(first));
   });
   return found;
@@ -133,10 +139,10 @@ FreeRoadmap World::roadmap(const Linkage& linkage, std::span<const double> confi
         throw InvalidOptions("edge " + std::to_string(i) + " names the configuration " + std::to_string(end) +
                              ": there are " + std::to_string(all.count()));
   std::vector<char> is_free(all.count()), is_edge_free(edges.size());
-  now->for_each_edge(*linkage.tree_, is_free.size(), asked, [&](State::Edges& tester, std::size_t i) {
+  now->for_each_edge(linkage.tree_, is_free.size(), asked, [&](State::Edges& tester, std::size_t i) {
     is_free[i] = tester.is_free(all[i], all[i], asked.starts_are_free);
   });
-  now->for_each_edge(*linkage.tree_, edges.size(), asked, [&](State::Edges& tester, std::size_t i) {
+  now->for_each_edge(linkage.tree_, edges.size(), asked, [&](State::Edges& tester, std::size_t i) {
     const auto from = static_cast<std::size_t>(edges[i][0]), to = static_cast<std::size_t>(edges[i][1]);
     is_edge_free[i] = is_free[from] && is_free[to] && tester.is_free(all[from], all[to], true);
   });

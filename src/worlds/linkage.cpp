@@ -41,7 +41,7 @@ void refuse_bad(const Joint& joint, std::size_t number) {
   if (joint.axis == Point{0, 0, 0}) refuse(" moves along no axis: give a direction other than 0");
   if (joint.coordinate < 0)
     refuse(" moves by the coordinate " + std::to_string(joint.coordinate) +
-           ": give the place of its number in a configuration");
+           ": give the index of its number in a configuration, from 0");
 }
 
 /// A direction of length 1. An axis of the frame stays as it is.
@@ -83,8 +83,10 @@ LinkageTree::LinkageTree(const std::vector<Joint>& joints, const std::vector<Car
   for (const CarriedBody& body : given) {
     const std::string name = "body " + std::to_string(body.body) + " of the linkage";
     if (body.joint < 0 || at(body.joint) >= joints.size())
-      throw InvalidOptions(name + " is at the joint " + std::to_string(body.joint) + ": give the place of one of its " +
-                           std::to_string(joints.size()) + " joints");
+      throw InvalidOptions(name + " is carried by joint " + std::to_string(body.joint) + ", but there are " +
+                           std::to_string(joints.size()) +
+                           " joints, counted from 0: name one of them (a body that no joint moves is not listed; it "
+                           "has its pose from add)");
     if (!is_finite(body.place)) throw InvalidOptions(name + " has a place that is not finite: give a finite pose");
     if (std::ranges::find(bodies, body.body) != bodies.end())
       throw InvalidOptions(name + " is named twice: give each once");
@@ -145,7 +147,8 @@ std::vector<BodyMotion> Linkage::motions(std::span<const double> starts, std::sp
   for (std::size_t i = 0; i < starts.size(); i += size) {
     for (std::size_t k = i; k < i + size; ++k)
       if (!std::isfinite(starts[k]) || !std::isfinite(ends[k]))
-        throw InvalidStep("configuration " + std::to_string(i / size) + " holds a number that is not finite");
+        throw InvalidStep("configuration " + std::to_string(i / size) +
+                          " holds a number that is not finite: give finite ones");
     tree_->add_motions(starts.subspan(i, size), ends.subspan(i, size), motions);
   }
   return motions;

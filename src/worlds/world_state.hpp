@@ -43,6 +43,7 @@ struct World::State {
   class Turn;
   class QuestionTurn;
   class Edges;
+  struct EdgeTesters;
   bool is_free(const PathOptions& asked);
   EarliestBodyContact earliest(const PathOptions& asked);
   /// Two bodies that pass through each other at t=0, or of which one is inside the other. Any such pair.
@@ -53,7 +54,8 @@ struct World::State {
   std::optional<BodyPair> enclosing_pair(const PoseOptions& asked);
   /// Calls test(Edges&, i) for each edge. Threads share them. Throws InvalidOptions, and what `test` throws.
   template <class Test>
-  void for_each_edge(const LinkageTree& tree, std::size_t count, const EdgeOptions& how, const Test& test);
+  void for_each_edge(const std::shared_ptr<const LinkageTree>& tree, std::size_t count, const EdgeOptions& how,
+                     const Test& test);
   /// Throws InvalidOptions.
   static void refuse_uneven(std::size_t starts, std::size_t ends);
 
@@ -118,6 +120,8 @@ struct World::State {
   Gathering at_rest_{MotionKind::straight, MotionKind::turning, 1};
   Gathering at_rest_with_static_{MotionKind::still, MotionKind::turning, 1};
   std::map<std::pair<std::size_t, BodyId>, Gathering> carried_;  ///< by the number of shared links and the first body
+  std::uint64_t turns_ = 0;                                      ///< which may have changed something
+  std::shared_ptr<EdgeTesters> edge_testers_;                    ///< of the last question about edges
 };
 
 /// A detector's options for questions about curves. With AtStart::fail contacts at the start are reported. The world
@@ -131,10 +135,15 @@ inline PathOptions of_curves(PathOptions asked) {
 class World::State::Turn {
  public:
   /// Throws Busy, and Error of a world that has been moved from.
-  explicit Turn(const World& world) : state_(world.state()), guard_(state_.is_asked) {}
+  explicit Turn(const World& world) : Turn(world, true) {}
   Turn(const Turn&) = delete;
   State* operator->() const { return &state_; }
   State& operator*() const { return state_; }
+
+ protected:
+  Turn(const World& world, bool may_change) : state_(world.state()), guard_(state_.is_asked) {
+    if (may_change) ++state_.turns_;
+  }
 
  private:
   State& state_;
@@ -145,7 +154,7 @@ class World::State::Turn {
 /// The turn of a question, which is measured.
 class World::State::QuestionTurn : public Turn {
  public:
-  explicit QuestionTurn(const World& world) : Turn(world) { (*this)->statistics = {}; }
+  explicit QuestionTurn(const World& world) : Turn(world, false) { (*this)->statistics = {}; }
   ~QuestionTurn() {
     (*this)->statistics.seconds.total = watch_.seconds();
     (*this)->statistics.memory_bytes = (*this)->memory_bytes();

@@ -34,8 +34,18 @@ int main() {
     const std::vector<double> flat(9);
     (void)detector.pairs_within(flat, 1);
   }
-  {  // says: Column-major? Use a RowMajor matrix, a Matrix3Xd, or tamis::points_of(matrix).
+  {  // says: Column-major? Keep tamis::points_of(x).
     const Eigen::MatrixXd columns = x;
     (void)detector.pairs_within(columns, 1);
+  }
+  {  // says: Flat x y z? Positions(x.data(), vertices).
+    const Eigen::VectorXd flat = Eigen::VectorXd::Zero(9);
+    (void)detector.pairs_within(flat, 1);
+  }
+  {  // says: A matrix? tamis::faces_of(matrix).
+    const tamis::Mesh mesh(3, Eigen::MatrixXi::Zero(1, 3));
+  }
+  {  // says: A matrix? tamis::edges_of(matrix).
+    const tamis::Mesh mesh(3, {}, Eigen::MatrixXi::Zero(1, 2));
   }
 }

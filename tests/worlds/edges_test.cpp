@@ -280,6 +280,12 @@ TEST(Edges, MeetBodiesThatMoveByThemselves) {
   world.move(wall, Rigid{interpolated_chain({{0, 9, 0}, {}}, {{0, -9, 0}, {}})});
   EXPECT_FALSE(world.edges_are_free(slide, at, at)[0]);
   EXPECT_TRUE(world.edges_are_free(slide, off, off)[0]);
+  world.set_may_touch(wall, part, false);  // would catch what a question keeps for the next one
+  EXPECT_TRUE(world.edges_are_free(slide, at, at)[0]);
+  world.set_may_touch(wall, part, true);
+  EXPECT_FALSE(world.edges_are_free(slide, at, at)[0]);
+  world.remove(wall);
+  EXPECT_TRUE(world.edges_are_free(slide, at, at)[0]);
 }
 
 template <class Error>
@@ -304,7 +310,7 @@ TEST(Edges, AreRefusedWithASentence) {
                                        "joint 0 moves along no axis");
   expect_edges_refused<InvalidOptions>(make({{-1, {}, JointKind::turning}}), "joint 0 moves by the coordinate -1");
   expect_edges_refused<InvalidOptions>(make({{-1, {}, JointKind::turning, {0, std::nan(""), 1}, 0}}), "not finite");
-  expect_edges_refused<InvalidOptions>(make(slides, {{part, 1, {}}}), "is at the joint 1");
+  expect_edges_refused<InvalidOptions>(make(slides, {{part, 1, {}}}), "is carried by joint 1, but there are 1 joints");
   expect_edges_refused<InvalidOptions>(make(slides, {{part, 0, {}}, {part, 0, {}}}), "named twice");
   const Linkage slide(slides, {{part, 0, {}}}), stranger(slides, {{7, 0, {}}});
   const std::vector<double> one{0}, two{0, 1}, bad{std::nan("")}, far{1e308};

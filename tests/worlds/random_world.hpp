@@ -1,9 +1,11 @@
 // Small worlds, and the same as one mesh that moves on one path: what a detector says of that a world must say, too.
 #pragma once
+#include <cmath>
 #include <functional>
 #include <random>
 #include <set>
 
+#include "numbers/platform.hpp"
 #include "scenes/shapes.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/world.hpp"
@@ -89,11 +91,12 @@ NamedPair named(const Pair& pair) {
 /// Each number of both, and who touches.
 void expect_same_bits(const EarliestBodyContact& a, const EarliestBodyContact& b);
 
+/// The same numbers with every standard library, unlike the distributions of <random>.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
-  int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(engine_); }
+  double in(double low, double high) { return std::ldexp(static_cast<double>(engine_()), -64) * (high - low) + low; }
+  int below(int count) { return static_cast<int>(high_product(engine_(), static_cast<std::uint64_t>(count))); }
   Point point(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
 
  private:

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <memory>
+#include <string>
 #include <system_error>
 
 #include "files/error.hpp"
@@ -12,9 +13,11 @@ namespace tamis::io {
 namespace {
 
 [[noreturn]] void refuse_to_read(const std::filesystem::path& path, int error) {
-  throw FileError(
-      path.string(), "",
-      fmt::format("cannot be read ({}): check the path and its permissions", std::generic_category().message(error)));
+  const bool is_address = path.string().find("://") != std::string::npos;
+  throw FileError(path.string(), "",
+                  fmt::format("cannot be read ({}): {}", std::generic_category().message(error),
+                              is_address ? "give a path (package:// of a URDF stands for a folder)"
+                                         : "check the path and its permissions"));
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ def public_module(name: str) -> ModuleType:
     if "tamis" not in sys.modules:
         sys.path.insert(0, str(PYTHON))
         sys.modules["tamis._core"] = Compiled()
-        sys.modules["tamis._core"].__version__ = ""
+        sys.modules["tamis._version"] = MagicMock()
+        sys.modules["tamis._core"].__version__ = sys.modules["tamis._version"].VERSION = ""
         for other in ("ipctk", "mpi4py", "mujoco", "newton", "newton.solvers", "ompl", "warp", "tamis._distributed"):
             sys.modules[other] = MagicMock()
         sys.modules["ompl"].base.MotionValidator = object

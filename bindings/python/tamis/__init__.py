@@ -11,7 +11,7 @@ of its own. `read_mesh`, `read_frames` and `scene` return meshes to try it on.
 
 from typing import TYPE_CHECKING, NoReturn
 
-from tamis import _core
+from tamis import _loading
 from tamis._answers import EarliestContact, SafeStep, TruncatedStep
 from tamis._audit._audit import audit
 from tamis._audit._auditor import Auditor, StepReport
@@ -61,7 +61,7 @@ from tamis._world._tables import (
 )
 from tamis._world._world import World
 
-__version__: str = _core.__version__
+__version__: str = _loading.VERSION
 
 
 if not TYPE_CHECKING:  # type checkers report any other name themselves

@@ -103,7 +103,8 @@ def packed_rows(given: npt.ArrayLike, name: str, error: type[Error] = InvalidSte
 def finite(array: Doubles, name: str, error: type[Error]) -> Doubles:
     """Return the array; raise if a number in it is not finite, for arrays that the compiled part does not check."""
     if not np.isfinite(array).all():
-        raise error(f"{name} holds a number that is not finite: give finite ones")
+        place = np.argwhere(~np.isfinite(array))[0].tolist()
+        raise error(f"{name} holds a number that is not finite, at {place}: give finite ones")
     return array
 
 

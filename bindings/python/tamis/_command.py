@@ -13,6 +13,6 @@ def main() -> None:
     if not command.exists():
         sys.exit(
             f"tamis: {command} is not there: this module was built without the command; "
-            "build it with CMake, or the module with -Ccmake.define.TAMIS_PYTHON_COMMAND=ON"
+            "build it again without -Ccmake.define.TAMIS_PYTHON_COMMAND=OFF"
         )
     os.execv(command, ["tamis", *sys.argv[1:]])

@@ -22,7 +22,8 @@ void check_index(Index index, Index vertex_count, const char* what, std::size_t 
   if (index >= 0 && index < vertex_count) return;
   throw InvalidMesh(std::string(what) + " " + std::to_string(element) + " names vertex " + std::to_string(index) +
                     ", but there are " + std::to_string(vertex_count) +
-                    " vertices: indices must be in [0, vertex count)");
+                    " vertices: indices must be in [0, vertex count)" +
+                    (index == vertex_count ? "; if yours count from 1, subtract 1" : ""));
 }
 
 template <class Elements>

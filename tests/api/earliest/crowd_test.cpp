@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <functional>
 
 #include "support/contact_sets.hpp"
 #include "support/copied.hpp"
+#include "support/thread_seconds.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {
@@ -129,11 +129,7 @@ TEST(Crowd, NeitherThreadsNorInstructionsChangeTheAnswer) {
 }
 
 /// Processor time of all threads, so that other programs do not count. (On Windows std::clock() is a wall clock.)
-double seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
+double seconds() { return seconds_by(CLOCK_PROCESS_CPUTIME_ID); }
 
 TEST(Crowd, CancellingIsAskedForAllTheTime) {
   const Sheets sheets(10, kMotions[0]);

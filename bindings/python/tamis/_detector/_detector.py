@@ -50,7 +50,8 @@ class Detector(InMotion, StepLengths, AtRest):
     may_touch : array_like of bool, shape (g, g), optional
         Symmetric; False skips the pairs of these two groups. ``~np.eye(g, dtype=bool)``: no self-contact.
     radii : array_like of float, shape (g,), optional
-        A radius >= 0 for each group: contact means a distance of at most `min_separation` plus both radii.
+        A radius >= 0 for each group, half of its thickness: contact means a distance of at most `min_separation` plus
+        both radii.
     filter : callable, optional
         ``filter(kind, vertices)`` returns True for a pair that counts, False for a pair to skip. Any other answer
         raises `InvalidOptions`. It is called for every pair that the groups do not skip, from several threads, one at a

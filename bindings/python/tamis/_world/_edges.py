@@ -30,7 +30,7 @@ class EdgeAnswers(NamedTuple):
     overlaps_at_start : array of bool, shape (n,)
         Whether two bodies pass through each other at the start, or one is inside another.
     bodies : array of int32, shape (n, 2)
-        The bodies that touch first, or overlap at the start; -1 where the edge is free.
+        The bodies that touch first, or overlap at the start, by their numbers in the world; -1 where the edge is free.
     points : array of float64, shape (n, 3)
         Where the contact is, in the world's frame; NaN where there is none.
     touching : array of int32, shape (m,)
@@ -173,7 +173,8 @@ class EdgeQuestions:
         starts, ends : array_like, shape (n, d)
             A row a configuration; d is `Linkage.dimension`. Each number goes linearly.
         starts_are_free : bool
-            The starts are known not to overlap, as from earlier answers: they are not tested.
+            The starts are known not to overlap, as from earlier answers: they are not tested. If one does, True proves
+            nothing.
         min_separation, tolerance
             As in `contacts`. With a separation, free means farther apart all along the edge.
 

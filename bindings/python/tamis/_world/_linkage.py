@@ -21,7 +21,7 @@ _KINDS = {"fixed": 0, "turning": 1, "sliding": 2}
 class Linkage:
     """A tree of joints, or several, and the bodies of a world that they carry: a robot.
 
-    Joint j's frame in the frame of its parent: first its own motion by its value, then ``places[j]``, as <origin> in a
+    Frame of joint j = frame of its parent * ``places[j]`` * motion about or along ``axes[j]`` by its value, as in a
     URDF. Its value is ``factors[j] * q[coordinates[j]] + offsets[j]``. Between two configurations each number goes
     linearly, so each body moves by a chain of its joints, on its true curve. To attach an object to a hand, make
     another linkage that has it, too.
@@ -41,7 +41,7 @@ class Linkage:
     bodies : array_like of int, shape (b,)
         The numbers of the bodies in their world, each once.
     carriers : array_like of int, shape (b,)
-        The joint that carries each of them.
+        The joint that carries each of them. A body that no joint moves is not listed: `World.add` gives it its pose.
     body_places : array_like, shape (b, 2, 3), optional
         The pose of each body in the frame of its joint; by default the joint's frame.
     factors, offsets : array_like, shape (j,), optional

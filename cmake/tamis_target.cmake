@@ -30,6 +30,10 @@ endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   # Templates serve doubles and lanes, so they join conditions with & and | for bool, too.
   list(APPEND TAMIS_WARNINGS -Wno-bitwise-instead-of-logical)
+  if(CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 18)
+    # From 18 on clang warns of what the library of g++ 12 calls itself (llvm/llvm-project#76515). Other compilers check Tamis for it.
+    list(APPEND TAMIS_WARNINGS -Wno-deprecated-declarations)
+  endif()
 endif()
 
 # Settings that all targets of the project share. A parent project chooses its own warnings.

@@ -9,14 +9,19 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-import ipctk
-import matplotlib.pyplot as plt
 import numpy as np
 import numpy.typing as npt
-import scipy.sparse as sp
 
 import tamis
-from tamis.bridge import ipctk as bridge
+
+try:
+    import ipctk
+    import matplotlib.pyplot as plt
+    import scipy.sparse as sp
+
+    from tamis.bridge import ipctk as bridge
+except ModuleNotFoundError as missing:
+    raise SystemExit(f"{missing}: pip install ipctk matplotlib scipy") from None
 
 H = 0.005  # s, a step
 GRAVITY = 9.81  # m/s^2

@@ -7,11 +7,15 @@ from __future__ import annotations
 
 import argparse
 
-import matplotlib.pyplot as plt
 import numpy as np
-from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 import tamis
+
+try:
+    import matplotlib.pyplot as plt
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+except ModuleNotFoundError as missing:
+    raise SystemExit(f"{missing}: pip install matplotlib") from None
 
 GAP = 0.01  # the distance to which contacts push features apart, in the unit of the positions
 

@@ -7,9 +7,12 @@ from __future__ import annotations
 
 import argparse
 
-import matplotlib.pyplot as plt
-
 import tamis
+
+try:
+    import matplotlib.pyplot as plt
+except ModuleNotFoundError as missing:
+    raise SystemExit(f"{missing}: pip install matplotlib") from None
 
 
 def main() -> None:

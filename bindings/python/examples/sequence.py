@@ -12,10 +12,14 @@ import threading
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 import tamis
+
+try:
+    import matplotlib.pyplot as plt
+except ModuleNotFoundError as missing:
+    raise SystemExit(f"{missing}: pip install matplotlib") from None
 
 
 def frames_of(names: list[str]) -> tuple[tamis.Mesh, list[np.ndarray]]:

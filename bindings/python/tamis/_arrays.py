@@ -25,6 +25,12 @@ _REAL = "floating-point numbers or integers"
 _WHOLE = "integers below 2^31"
 
 
+def _advice(given: npt.ArrayLike, wanted: str) -> str:
+    """Return what to give: of a mesh file, or another package's mesh, where numbers are wanted, its positions."""
+    parts = [part for part in ("positions", "vertices") if hasattr(given, part)] if wanted.startswith(_REAL) else []
+    return f"its .{parts[0]}" if parts else wanted
+
+
 def _array(given: npt.ArrayLike, name: str, error: type[Error], kinds: str, wanted: str) -> npt.NDArray[Any]:
     """Return an array whose `dtype.kind` is one of `kinds`; `name` and `wanted` go into the sentence of the error."""
     if isinstance(given, np.ma.MaskedArray):
@@ -32,9 +38,10 @@ def _array(given: npt.ArrayLike, name: str, error: type[Error], kinds: str, want
     try:
         array = np.asarray(given)
     except (TypeError, ValueError, OverflowError):  # for example rows of different lengths
-        raise error(f"{name} is {shown(given)}, which is not an array: give {wanted}, as many in each row") from None
+        advice = _advice(given, f"{wanted}, as many in each row")
+        raise error(f"{name} is {shown(given)}, which is not an array: give {advice}") from None
     if array.dtype.kind not in kinds:
-        raise error(f"{name} is {shown(given)}, of the dtype {array.dtype}: give {wanted}")
+        raise error(f"{name} is {shown(given)}, of the dtype {array.dtype}: give {_advice(given, wanted)}")
     return array
 
 

@@ -33,6 +33,10 @@ class StraightMotion:
         """Return the arguments of the compiled part."""
         return self.start, self.end
 
+    def bits(self) -> tuple[int, ...]:
+        """Return sums that differ after each change of a single number."""
+        return tuple(int(np.add.reduce(end.view(np.uint64), axis=None)) for end in (self.start, self.end))
+
     def corners(self, times: Doubles, vertices: Indices) -> Corners:
         """Return where the vertices of pair i are at ``times[i]``."""
         t = times[:, np.newaxis, np.newaxis]
@@ -48,6 +52,10 @@ class CurvedMotion:
     def native(self) -> Native:
         """Return the arguments of the compiled part."""
         return (self.path._native(),)
+
+    def bits(self) -> tuple[int, ...]:
+        """Return nothing: the compiled part reads the path anew."""
+        return ()
 
     def corners(self, times: Doubles, vertices: Indices) -> Corners:
         """Return where the vertices of pair i are at ``times[i]``."""

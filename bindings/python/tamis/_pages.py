@@ -8,7 +8,7 @@ import pathlib
 import sys
 import tempfile
 import webbrowser
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._checks import file_name
-from tamis._errors import Error
+from tamis._errors import Error, InvalidStep
 
 if TYPE_CHECKING:
     from tamis._motion import AskedMotion, Own
@@ -30,9 +30,18 @@ class Asked:
     options: _core.Options
     motion: AskedMotion
     own: Own
+    _bits: tuple[int, ...] = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "_bits", self.motion.bits())
 
     def write(self, path: str, contacts: npt.NDArray[np.uint8]) -> None:
         """Write a file to look at with these contacts, all of the answer or some; the extension names the format."""
+        if self.motion.bits() != self._bits:
+            raise InvalidStep(
+                "the positions have changed since these contacts were found: look at contacts before the next step, or "
+                "give the detector arrays that stay as they are"
+            )
         _core.Detector(self.mesh, self.options).write(path, contacts, self.own, *self.motion.native())
 
 

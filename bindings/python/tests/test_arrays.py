@@ -63,6 +63,11 @@ def test_one_row_of_any_stride() -> None:
         assert detector.is_free(one, one)
 
 
+def test_a_mesh_file_has_positions(falling: tamis.Scene) -> None:
+    with pytest.raises(tamis.InvalidStep, match=r"start is MeshFile\(.*: give its \.positions$"):
+        tamis.Detector(falling.mesh).is_free(tamis.MeshFile(falling.start, falling.mesh, ()), falling.end)  # type: ignore[arg-type]
+
+
 def test_the_largest_number_is_refused_by_name(falling: tamis.Scene) -> None:
     """Bug: the count did not fit 32 bits; the sentence named an argument that was not given, or none."""
     with pytest.raises(tamis.InvalidMesh, match="faces, edges or points name vertex 2147483647: give indices below"):

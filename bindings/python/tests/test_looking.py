@@ -132,9 +132,10 @@ def test_options_of_the_question_hold_for_the_page(falling: tamis.Scene, opened:
     assert scene_in(wide.view().path)[0]["min_separation"] == 0.25
 
 
-def test_positions_that_have_changed_are_refused(falling: tamis.Scene, tmp_path: pathlib.Path) -> None:
+@pytest.mark.parametrize("vertex", [3, -1])  # the last one is in no contact
+def test_positions_that_have_changed_are_refused(falling: tamis.Scene, tmp_path: pathlib.Path, vertex: int) -> None:
     contacts = tamis.Detector(falling.mesh).contacts(falling.start, falling.end)
-    falling.start[3, 2] = 0.5
+    falling.start[vertex, 2] += 0.5
     with pytest.raises(tamis.InvalidStep, match="changed since"):
         contacts.view(tmp_path / "late.html")
     assert not (tmp_path / "late.html").exists()

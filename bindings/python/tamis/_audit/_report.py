@@ -136,7 +136,9 @@ class AuditReport:
         raise TypeError("an AuditReport cannot be pickled: pickle its `frames` and its `pairs`, or save() it")
 
     def __repr__(self) -> str:
-        frames, steps = len(self.frames), len(self.steps)
-        found = f"{len(self.pairs) + self.pairs_left_out} pairs" if len(self.pairs) else "nothing found"
+        frames, steps, first = len(self.frames), len(self.steps), self.first_bad
+        found = f"{self.frames.intersections.sum()} intersections, {self.frames.contacts.sum()} contacts"
         not_tested = f", frames that could not be tested: {len(self.problems)}" if self.problems else ""
-        return f"AuditReport({frames} frames, {steps} steps, {found}{not_tested}{', free' if self.is_free else ''})"
+        verdict = "free" if self.is_free else "not free" if first else "not proven free"
+        at = f", first bad frame {first.frame} ({first.name})" if first else ""
+        return f"AuditReport({frames} frames, {steps} steps: {verdict}, {found}{at}{not_tested})"

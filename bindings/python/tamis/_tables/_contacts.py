@@ -144,7 +144,7 @@ class Contacts(MovingPairs[Contact], TouchingPairs[Contact]):
         FileError
             The file cannot be written.
         InvalidStep
-            The positions were changed in place since the contacts were found.
+            The positions were changed in place since the contacts were found, of whatever vertex.
         InvalidPath
             The same for a path.
         Error

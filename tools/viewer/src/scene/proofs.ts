@@ -25,7 +25,7 @@ export const kStepsTitle = "Contacts of each step; below, how much of it is free
 /** The sentence for a step without contacts. If not all contacts are listed here, the step need not be free. */
 export function withoutContacts({ toi_lower: lower, ignored }: StepHeader): string {
   if (lower !== null)
-    return `none is listed here, but pairs listed elsewhere may touch${lower > 0 ? ` from ${lower} on` : ""}.`;
+    return `none in this selection; pairs outside of it may touch${lower > 0 ? ` from ${roundedDown(lower, 6)} on` : ""}.`;
   return ignored > 0
     ? `proven, but ${counted(ignored, "pair")} that touch at the start were ignored.`
     : "the step is free, proven.";

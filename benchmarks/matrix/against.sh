@@ -2,7 +2,7 @@
 # against.sh COMMIT [ARGUMENT...]: builds COMMIT and this checkout, and compares the two on the matrix; arguments go to
 # compare.py. The builds stay in build/matrix, so that a commit is built once.
 # against.sh --in SYSTEM [ARGUMENT...]: compares this checkout by g++ 12 with itself elsewhere, by the wall clock, so on a machine with
-# nothing else to do. SYSTEM is another compiler (clang++-19), `windows` (under Wine, after scripts/test_windows.sh) or `wasm` (Node).
+# nothing else to do. SYSTEM is another compiler (clang++-19), `windows` (under Wine, after scripts/test_windows.sh) or `wasm` (Node). Not run yet.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 with_cmake=(-G Ninja -DCMAKE_BUILD_TYPE=Release -Wno-dev)

@@ -12,8 +12,6 @@ namespace {
 constexpr int kLastLevel = kFinest - 1;
 /// Visits of one pair on one edge, after which a detector decides it.
 constexpr int kMostVisits = 1 << 15;
-/// Levels whose middles are probed for collisions before anything is proven.
-constexpr int kProbedLevels = 2;
 
 /// The last link that carries both; -1: the world.
 Index common_link(const LinkageTree& tree, Index a, Index b) {
@@ -196,27 +194,6 @@ const ProvenEdge& EdgeProver::run(std::span<const double> start, std::span<const
   return found_;
 }
 
-/// Looks at the end, then in the middles of the pieces of the first levels, as checks of single states do. Most edges
-/// that collide are found here.
-bool EdgeProver::collides_somewhere() {
-  probe_all(kTimes - 1);
-  if (stays_) return found_.collides;
-  for (int level = 0; level < kProbedLevels && !found_.collides; ++level)
-    for (std::size_t piece = 0; piece < (std::size_t{1} << level) && !found_.collides; ++piece)
-      probe_all((2 * piece + 1) << (kFinest - level - 1));
-  return found_.collides;
-}
-
-void EdgeProver::probe_all(std::size_t time) {
-  for (Pair& pair : pairs_) {
-    now_ = &pair;
-    const Piece piece = piece_at(pair, {time, time, time}, 0);
-    const Item roots{piece.a->shape().tree.root(), piece.b->shape().tree.root()};
-    if (may_meet_in_middle(piece, roots)) probe(piece, roots);
-    if (found_.collides) return;
-  }
-}
-
 void EdgeProver::prove(const Task& task, int level) {
   now_ = &pairs_[task.pair];
   if (now_->is_open || (task.piece << (kFinest - level)) >= first_collision_) return;
@@ -243,163 +220,6 @@ void EdgeProver::prove(const Task& task, int level) {
     for (const std::size_t half : {std::size_t{0}, std::size_t{1}})
       later_.push_back({task.pair, 2 * task.piece + half, first, next_.size()});
   }
-}
-
-void EdgeProver::visit(const Piece& piece, const Item& item) {
-  ++now_->visits;
-  if (item.a < 0) return visit_items(piece, item);
-  const BodyShape &shape_a = piece.a->shape(), &shape_b = piece.b->shape();
-  const MiddleBox &a = piece.a->box(item.a), &b = piece.b->box(item.b);
-  const double deviation = piece.deviation(a.reach, b.reach);
-  std::array<Point, 3> way;
-  for (std::size_t i = 0; i < 3; ++i)
-    way[i] = difference(piece.at_b[i]->place.of(b.middle), piece.at_a[i]->place.of(a.middle));
-  // Balls around the boxes.
-  const double balls = (a.radius + b.radius) * kRoundedUp, length = std::sqrt(dot_of(way[1], way[1]));
-  if (length > balls + piece.separation) {
-    const Point direction{way[1][0] / length, way[1][1] / length, way[1][2] / length};
-    if (piece.proves(dot_of(direction, way[0]) - balls, dot_of(direction, way[2]) - balls, deviation)) return;
-  }
-  Gap gap = gap_of(a, piece.at_a[1]->place, b, piece.at_b[1]->place);
-  const Point moved = difference(way[2], way[0]);
-  double loss = std::sqrt(dot_of(moved, moved)) + deviation;
-  const auto is_proven = [&](const auto& width_at) {
-    if (!(gap.width > piece.separation)) return false;
-    const double at_start = width_at(0), at_end = width_at(2);
-    loss = gap.width - std::min(at_start, at_end) + deviation;
-    return piece.proves(at_start, at_end, deviation);
-  };
-  if (is_proven([&](std::size_t i) {
-        return dot_of(gap.direction, way[i]) - a.extent(piece.at_a[i]->place, gap.direction) -
-               b.extent(piece.at_b[i]->place, gap.direction);
-      }))
-    return;
-  const bool are_leaves = shape_a.tree.is_leaf(item.a) && shape_b.tree.is_leaf(item.b);
-  if (are_leaves) {  // by the very points, along the same direction
-    const Point back{-gap.direction[0], -gap.direction[1], -gap.direction[2]};
-    const auto width_at = [&](std::size_t i) {
-      return -support(*piece.b, piece.at_b[i]->place, item.b, back) -
-             support(*piece.a, piece.at_a[i]->place, item.a, gap.direction);
-    };
-    gap.width = width_at(1);
-    if (is_proven(width_at)) return;
-  }
-  now_->is_near = true;  // from here on not by whole bodies
-  // Where most is lost by the motion, a shorter piece proves more than smaller boxes.
-  constexpr double kLargeLoss = 0.25, kLargeLossOfLeaves = 0.5;
-  const bool splits_a = splits_first(piece, item);
-  const double size = are_leaves ? std::min(a.radius, b.radius) : splits_a ? a.radius : b.radius;
-  if (loss > (are_leaves ? kLargeLossOfLeaves : kLargeLoss) * size) {
-    next_.push_back(item);
-    if (gap.width <= 0 && !(ends_at_collision_ && piece.level < kProbedLevels)) probe(piece, item);
-  } else if (are_leaves) {
-    visit_leaves(piece, item);
-  } else {
-    for_each_part(piece, item, splits_a, [&](const Item& part) { stack_.push_back(part); });
-  }
-}
-
-/// How far the items of a leaf reach along a direction.
-double EdgeProver::support(const BodyOnEdge& body, const RoundedTransform& place, Index leaf, const Point& direction) {
-  const BodyShape& shape = body.shape();
-  const Point own{dot_of(column(place, 0), direction), dot_of(column(place, 1), direction),
-                  dot_of(column(place, 2), direction)};
-  double farthest = -kUnbounded;
-  for (const Index item : shape.tree.items_of(leaf))
-    for (const Index v : shape.corners_of(item)) farthest = std::max(farthest, dot_of(shape.points[at(v)], own));
-  return farthest + dot_of(place.shift, direction);
-}
-
-/// True if of two nodes the first is to be replaced by its children: the larger one that has any.
-bool EdgeProver::splits_first(const Piece& piece, const Item& item) {
-  if (piece.b->shape().tree.is_leaf(item.b)) return true;
-  return !piece.a->shape().tree.is_leaf(item.a) && piece.a->box(item.a).radius >= piece.b->box(item.b).radius;
-}
-
-template <class F>
-void EdgeProver::for_each_part(const Piece& piece, const Item& item, bool splits_a, const F& f) {
-  if (splits_a)
-    piece.a->shape().tree.for_each_child(item.a, [&](Index child) { f(Item{child, item.b}); });
-  else
-    piece.b->shape().tree.for_each_child(item.b, [&](Index child) { f(Item{item.a, child}); });
-}
-
-/// Looks for triangles of both nodes that surely pass through each other in the middle of the piece.
-void EdgeProver::probe(const Piece& piece, const Item& item) {
-  if (found_.collides || now_->is_open) return;
-  ++now_->visits;
-  const BodyShape &shape_a = piece.a->shape(), &shape_b = piece.b->shape();
-  if (shape_a.tree.is_leaf(item.a) && shape_b.tree.is_leaf(item.b)) return probe_leaves(piece, item);
-  for_each_part(piece, item, splits_first(piece, item), [&](const Item& part) {
-    if (may_meet_in_middle(piece, part)) probe(piece, part);
-  });
-}
-
-/// By balls, then by boxes.
-bool EdgeProver::may_meet_in_middle(const Piece& piece, const Item& item) {
-  const MiddleBox &a = piece.a->box(item.a), &b = piece.b->box(item.b);
-  const RoundedTransform &at_a = piece.at_a[1]->place, &at_b = piece.at_b[1]->place;
-  const Point way = difference(at_b.of(b.middle), at_a.of(a.middle));
-  const double balls = a.radius + b.radius;
-  return dot_of(way, way) <= balls * balls && gap_of(a, at_a, b, at_b).width <= 0;
-}
-
-void EdgeProver::probe_leaves(const Piece& piece, const Item& leaves) {
-  const PlacedLeaf &a = piece.leaf_of_a(leaves.a, 1), &b = piece.leaf_of_b(leaves.b, 1);
-  const std::size_t count_a = piece.a->shape().tree.items_of(leaves.a).size(),
-                    count_b = piece.b->shape().tree.items_of(leaves.b).size();
-  for (std::size_t i = 0; i < count_a; ++i) {
-    if (!may_meet(a.boxes[i], b.all)) continue;
-    for (std::size_t k = 0; k < count_b; ++k)
-      if (may_meet(a.boxes[i], b.boxes[k]) && surely_meet(a.corners[i], b.corners[k], piece.margin[1]))
-        return collide(piece);
-  }
-}
-
-void EdgeProver::collide(const Piece& piece) {
-  (ends_at_collision_ ? found_.collides : now_->is_open) = true;
-  first_collision_ = std::min(first_collision_, piece.times[1]);
-}
-
-/// The hulls of the items on the piece are compared, axis by axis.
-void EdgeProver::visit_leaves(const Piece& piece, const Item& leaves) {
-  const auto items_a = piece.a->shape().tree.items_of(leaves.a), items_b = piece.b->shape().tree.items_of(leaves.b);
-  const double deviation = piece.deviation(piece.a->box(leaves.a).reach, piece.b->box(leaves.b).reach);
-  const double wider = (piece.separation + deviation + std::max(piece.margin[0], piece.margin[2])) * kRoundedUp;
-  const PlacedLeaf &a0 = piece.leaf_of_a(leaves.a, 0), &a1 = piece.leaf_of_a(leaves.a, 2);
-  const PlacedLeaf &b0 = piece.leaf_of_b(leaves.b, 0), &b1 = piece.leaf_of_b(leaves.b, 2);
-  std::array<Box, kBlock> hull_b;
-  for (std::size_t k = 0; k < items_b.size(); ++k) hull_b[k] = joined(b0.boxes[k], b1.boxes[k]);
-  const Box all_b = joined(b0.all, b1.all);
-  for (std::size_t i = 0; i < items_a.size(); ++i) {
-    Box hull = joined(a0.boxes[i], a1.boxes[i]);
-    hull.widen(wider);
-    if (!may_meet(hull, all_b)) continue;
-    for (std::size_t k = 0; k < items_b.size(); ++k)
-      if (may_meet(hull, hull_b[k])) stack_.push_back({-1 - items_a[i], -1 - items_b[k]});
-  }
-}
-
-void EdgeProver::visit_items(const Piece& piece, const Item& items) {
-  const Index item_a = -1 - items.a, item_b = -1 - items.b;
-  const auto corners = [&](std::size_t i) {
-    return std::pair(piece.a->corners_at(piece.at_a[i]->place, item_a),
-                     piece.b->corners_at(piece.at_b[i]->place, item_b));
-  };
-  const auto [a, b] = corners(1);
-  const Gap gap = gap_of(a, b);
-  if (gap.width > piece.separation) {
-    const double deviation = piece.deviation(MiddleBox(piece.a->shape().box_at_rest(item_a)).reach,
-                                             MiddleBox(piece.b->shape().box_at_rest(item_b)).reach);
-    const auto width_at = [&](std::size_t i) {
-      const auto [start, end] = corners(i);
-      return width_along(gap.direction, start, end);
-    };
-    if (piece.proves(width_at(0), width_at(2), deviation)) return;
-  } else if (!(gap.width > 0) && surely_meet(a, b, piece.margin[1])) {
-    return collide(piece);
-  }
-  next_.push_back(items);
 }
 
 void EdgeProver::conclude() {

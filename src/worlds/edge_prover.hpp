@@ -78,6 +78,9 @@ class EdgeProver {
     }
   };
 
+  /// Levels whose middles are probed for collisions before anything is proven.
+  static constexpr int kProbedLevels = 2;
+
   void begin(std::span<const double> start, std::span<const double> end);
   void find_pairs();
   void add_pair(std::size_t carried, BodyId other, Index frame);
@@ -97,7 +100,12 @@ class EdgeProver {
   void visit_items(const Piece& piece, const Item& items);
   static bool splits_first(const Piece& piece, const Item& item);
   template <class F>
-  static void for_each_part(const Piece& piece, const Item& item, bool splits_a, const F& f);
+  static void for_each_part(const Piece& piece, const Item& item, bool splits_a, const F& f) {
+    if (splits_a)
+      piece.a->shape().tree.for_each_child(item.a, [&](Index child) { f(Item{child, item.b}); });
+    else
+      piece.b->shape().tree.for_each_child(item.b, [&](Index child) { f(Item{item.a, child}); });
+  }
   static double support(const BodyOnEdge& body, const RoundedTransform& place, Index leaf, const Point& direction);
   static bool may_meet_in_middle(const Piece& piece, const Item& item);
   void probe(const Piece& piece, const Item& item);

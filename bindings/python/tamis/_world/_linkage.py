@@ -204,7 +204,7 @@ def _vector(given: npt.ArrayLike | None, default: float, count: int, name: str) 
 
 
 def _kinds(given: Sequence[JointKind], count: int) -> Indices:
-    if isinstance(given, str) or not hasattr(given, "__len__"):
+    if isinstance(given, str) or not hasattr(given, "__len__") or getattr(given, "ndim", 1) != 1:
         raise InvalidOptions(f"kinds is {shown(given)}: give a list, such as ['turning', 'fixed']")
     for kind in _as_many(given, count, "kinds"):
         if word(kind, "kinds") not in _KINDS:

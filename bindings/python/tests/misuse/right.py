@@ -21,6 +21,7 @@ _MESH = tamis.Mesh(FACES)
 _POSE = np.zeros((2, 3))
 PATH = tamis.BezierPath(np.stack([START, END]))
 _SHAPE = tamis.Shape(_MESH, START)
+_LINKAGE = tamis.Linkage([-1], np.zeros((1, 2, 3)), ["turning"], [[0.0, 0, 1]], [0], [0], [0])
 _BARRIER_MESH = ipctk.CollisionMesh(START, ipctk.edges(FACES), FACES)
 
 
@@ -74,6 +75,22 @@ _NAMED: Mapping[str, Any] = {
     "vertices": np.array([[3, 0, 1, 2]]),
     "vertices_t0": START,
     "vertices_t1": END,
+    "parents": [-1],
+    "places": np.zeros((1, 2, 3)),
+    "kinds": ["turning"],
+    "axes": np.array([[0.0, 0, 1]]),
+    "coordinates": [0],
+    "carriers": [0, 0],
+    "body_places": np.zeros((2, 2, 3)),
+    "factors": np.ones(1),
+    "offsets": np.zeros(1),
+    "linkage": _LINKAGE,
+    "configurations": np.zeros((1, 1)),
+    "starts": np.zeros((1, 1)),
+    "ends": np.ones((1, 1)),
+    "waypoints": np.zeros((2, 1)),
+    "starts_are_free": True,
+    "start_is_free": True,
 }
 
 
@@ -110,7 +127,15 @@ def _objects() -> list[Any]:
     world.add(_SHAPE)
     world.add(_SHAPE, tamis.Deforming(START, END))
     return [
-        *(_SHAPE, world, world.contacts(), world.pairs_within(0.5), world.intersections(), tamis.Deforming(START, END)),
+        *(
+            _LINKAGE,
+            _SHAPE,
+            world,
+            world.contacts(),
+            world.pairs_within(0.5),
+            world.intersections(),
+            tamis.Deforming(START, END),
+        ),
         *(_MESH, detector, pairs, PATH, ipctk.Candidates(), _BARRIER_MESH, ipctk.TightInclusionCCD()),
         *(ipctk.AdditiveCCD(), detector.contacts(START, END), detector.pairs_within(START, 1.5)),
         *(detector.intersections(crossing), tamis.CatmullRomPath(np.stack([START, END]))),
@@ -149,6 +174,8 @@ def _of_callee(callee: Callee, folder: pathlib.Path) -> dict[str, Any]:
     short = callee.name.rpartition(".")[2]
     if short in ("interpolated_chain", "turned_chain", "chain_between", "nlerp_deviation"):
         return {"start": _POSE, "end": _POSE}
+    if short == "roadmap":
+        return {"edges": [[0, 0]]}
     if short == "earliest_many":
         return {"motions": np.zeros((3, 2, 1, 4, 3))}
     if callee.name.startswith("bridge"):

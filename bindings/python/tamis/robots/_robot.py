@@ -232,7 +232,7 @@ class Robot:
         for link in self._links:
             if link.name == name:
                 return link
-        raise InvalidOptions(f"{self._name} has no link {name!r}: it has {', '.join(link.name for link in self._links)}")
+        raise InvalidOptions(f"{self.name} has no link {name!r}: it has {', '.join(link.name for link in self._links)}")
 
     def __repr__(self) -> str:
         return f"Robot({self._name!r}, {len(self.joints)} joints, {len(self.links)} links with shapes)"

@@ -398,5 +398,5 @@ class Scene:
     def __repr__(self) -> str:
         obstacles = len(self._names) - len(self._bodies)
         return (
-            f"Scene({', '.join(robot.name for robot in self._robots)}, {len(self.joints)} joints, {obstacles} obstacles)"
+            f"Scene({', '.join(robot.name for robot in self.robots)}, {len(self.joints)} joints, {obstacles} obstacles)"
         )

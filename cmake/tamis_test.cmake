@@ -16,7 +16,7 @@ set(TAMIS_NOT_HERE)
 if(EMSCRIPTEN)
   set(TAMIS_NOT_HERE "InParts.*:CountingSort.FindsPlacesByBucketThenInOrder:BusyDetector.AnswersOneThread*:Roots.need_little_stack:\
 *CancellationWait*:*HardPaths*:HardPairs.*:Crowd.CancellingIsAskedForAllTheTime:ExactRecontact.TakesNoMoreBitsThanTwoTimesNeed:\
-LentThreads.*:*PairStreams.*/2:ProximityOrder.*:*CallerState*:*InCallersState*:*OfThreads*:*GuardPages*")
+LentThreads.*:*Invariance.AnyNumberOfThreads*:*PairStreams.*/2:ProximityOrder.*:*CallerState*:*InCallersState*:*OfThreads*:*GuardPages*")
 endif()
 
 # tamis_test(name source...): one GoogleTest program of a layer; it may include the library's own headers.

@@ -1,6 +1,6 @@
 #!/bin/sh
 # run.sh [EDGES [TRIANGLES [THREADS]]]: a planner's edges, proven by Tamis and sampled by coal, which pip installs into
-# build/coal. Prints the tables of docs/worlds.md, "Edges between configurations". Needs Eigen (libeigen3-dev).
+# build/coal. Prints the figures of docs/worlds.md, "Edges between configurations". Needs Eigen (libeigen3-dev).
 set -e
 cd "$(dirname "$0")/../.."
 packages=build/coal

@@ -197,7 +197,8 @@ def picture(rows: list[Row], file: pathlib.Path) -> None:
             own = [row for row in rows if row.case == name and row.method.startswith(package)]
             axis.plot([r.microseconds / 1e3 for r in own], [r.passed for r in own], "o-", color=colour, label=package)
             for row in own[: 0 if package == OURS else None]:
-                axis.annotate(row.method.split(", ")[1].split()[0], (row.microseconds / 1e3, row.passed), (4, 4), textcoords="offset points", fontsize=7, color=colour)
+                states, away = row.method.split(", ")[1].split()[0], (4, 4) if package == "coal" else (4, -11)
+                axis.annotate(states, (row.microseconds / 1e3, row.passed), away, textcoords="offset points", fontsize=7, color=colour)
         axis.set(title=name, xscale="log", xlabel="ms an edge")
         axis.set_yscale("symlog", linthresh=1)
         axis.grid(alpha=0.3)

@@ -21,7 +21,7 @@ def _check_python() -> None:
 _check_python()
 try:
     import tamis._core as _core
-    from tamis._version import VERSION
+    from tamis._version import VERSION as VERSION
 except ModuleNotFoundError as error:
     if error.name not in ("tamis._core", "tamis._version"):
         raise

@@ -13,11 +13,20 @@ Flags = npt.NDArray[np.bool_]
 
 
 class Edges(NamedTuple):
-    """Answers about n edges: how far each is free, and what touches first.
+    """How far each of n edges is free, and what touches first.
 
-    `is_free` (n,): a proof. `fraction` (n,): the edge is free before this part of it; 1 if it is free, 0 if its start
-    overlaps. `overlaps_at_start` (n,). `pairs`: for each edge the names of both bodies that touch or overlap, None if
-    it is free. `points` (n, 3): where they touch, in the world's frame; else not a number.
+    Attributes
+    ----------
+    is_free : array of bool, shape (n,)
+        Whether the edge is free, which is a proof.
+    fraction : array of float64, shape (n,)
+        The edge is free before this part of it: 1 if it is free, 0 if its start overlaps.
+    overlaps_at_start : array of bool, shape (n,)
+        Whether two bodies pass through each other at the start, or one is inside another.
+    pairs : list of n, each a tuple of two str, or None
+        The names of the bodies that touch or overlap; None if the edge is free.
+    points : array of float64, shape (n, 3)
+        Where they touch, in the world's frame; NaN where nothing touches.
     """
 
     is_free: Flags
@@ -31,9 +40,20 @@ class Edges(NamedTuple):
 
 
 class TrajectoryAnswer(NamedTuple):
-    """The first edge of a trajectory that is not free: its number, how far it is free, what touches there and where.
+    """The first edge of a trajectory that is not free.
 
-    All are None if the whole trajectory is free, and `fraction` is 1.
+    Attributes
+    ----------
+    is_free : bool
+        Whether the whole trajectory is free, which is a proof.
+    edge : int or None
+        Its number: from waypoint `edge` to the next. None if all edges are free.
+    fraction : float
+        This edge is free before this part of it; 1 if all edges are free.
+    pair : tuple of two str, or None
+        The names of the bodies that touch or overlap.
+    point : array of float64, shape (3,), or None
+        Where they touch, in the world's frame.
     """
 
     is_free: bool

@@ -43,7 +43,7 @@ def load(
         The URDF file.
     srdf : path, optional
         An SRDF file: the pairs of its <disable_collisions> never count.
-    disabled : iterable of pairs of str
+    disabled : iterable of tuple of two str
         More pairs of links that never count.
     held : mapping of str to float, optional
         Joints that stay at a value, such as a gripper's. They are no longer among the robot's `joints`.

@@ -57,15 +57,20 @@ class Robot:
     A configuration has one number for each of `joints`: radians, or metres of a joint that slides.
     """
 
-    __slots__ = ("_coordinates", "_joints", "_linkage", "_links", "_never", "name")
+    __slots__ = ("_coordinates", "_joints", "_linkage", "_links", "_name", "_never")
 
     def __init__(
         self, name: str, coordinates: Coordinates, joints: list[Joint], links: list[Link], never: set[frozenset[str]]
     ) -> None:
-        self.name = name
+        self._name = name
         self._coordinates = coordinates
         self._joints, self._links, self._never = joints, links, never
         self._linkage = linkage_of([self], list(range(len(self.links))))
+
+    @property
+    def name(self) -> str:
+        """The robot's name in its file."""
+        return self._name
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -214,14 +219,14 @@ class Robot:
         """
         carrier = self._link(link)
         if any(word(name, "name") == other.name for other in self._links):
-            raise InvalidOptions(f"name is {name!r}, which {self.name} has already: give another")
+            raise InvalidOptions(f"name is {name!r}, which {self._name} has already: give another")
         frame = carrier.frame @ frame_of(pose)
         given = shape_of(body, "body")
         shape = Shape(given.mesh, moved(given.points, frame) - center_of(self._joints, carrier.joint))
         new = Link(name, carrier.joint, frame, carrier.rests_on, shape)
         fixed = [other.name for other in self._links if other.rests_on == carrier.rests_on]
         pairs = {frozenset((name, self._link(other).name)) for other in (*fixed, *touching)}
-        return Robot(self.name, self._coordinates, self._joints, [*self._links, new], self._never | pairs)
+        return Robot(self._name, self._coordinates, self._joints, [*self._links, new], self._never | pairs)
 
     def _link(self, name: str) -> Link:
         for link in self._links:
@@ -230,7 +235,7 @@ class Robot:
         raise InvalidOptions(f"{self.name} has no link {name!r}: it has {', '.join(link.name for link in self._links)}")
 
     def __repr__(self) -> str:
-        return f"Robot({self.name!r}, {len(self.joints)} joints, {len(self.links)} links with shapes)"
+        return f"Robot({self._name!r}, {len(self.joints)} joints, {len(self.links)} links with shapes)"
 
 
 def linkage_of(robots: list[Robot], bodies: list[int]) -> Linkage:

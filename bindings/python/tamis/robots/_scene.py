@@ -44,7 +44,7 @@ class Scene:
         No robot, no joint that moves, or two robots of one name; an option outside its range.
     """
 
-    __slots__ = ("_bodies", "_coordinates", "_linkage", "_names", "robots", "world")
+    __slots__ = ("_bodies", "_coordinates", "_linkage", "_names", "_robots", "_world")
 
     def __init__(self, *robots: Robot, threads: int = 0, min_separation: float = 0.0) -> None:
         names = [instance(robot, Robot, "robots", "robots, as tamis.robots.load returns them").name for robot in robots]
@@ -52,8 +52,8 @@ class Scene:
             raise InvalidOptions(
                 f"robots are called {', '.join(names) or 'nothing'}: give one or more, each another name"
             )
-        self.robots = robots
-        self.world = World(threads=threads, min_separation=min_separation)
+        self._robots = robots
+        self._world = World(threads=threads, min_separation=min_separation)
         self._names: dict[int, str] = {}
         self._bodies: list[int] = []
         several = len(robots) > 1
@@ -66,15 +66,25 @@ class Scene:
             np.concatenate([robot.is_continuous for robot in robots]),
         )
         home = np.clip(0.0, self.limits[:, 0], self.limits[:, 1])  # where the robots stay in `world`
-        self.world.move_many(self._bodies, self._linkage.motions(home, home))
+        self._world.move_many(self._bodies, self._linkage.motions(home, home))
 
     def _add_robot(self, robot: Robot, prefix: str) -> list[int]:
-        bodies = {name: self.world.add(shape, _STILL) for name, shape in zip(robot.links, robot.shapes)}
+        bodies = {name: self._world.add(shape, _STILL) for name, shape in zip(robot.links, robot.shapes)}
         self._names.update({body: prefix + name for name, body in bodies.items()})
         pairs = [(bodies[a], bodies[b]) for a, b in robot.ignored_pairs]
         if pairs:
-            self.world.set_may_touch(pairs, False)
+            self._world.set_may_touch(pairs, False)
         return list(bodies.values())
+
+    @property
+    def robots(self) -> tuple[Robot, ...]:
+        """The robots, as given."""
+        return self._robots
+
+    @property
+    def world(self) -> World:
+        """The world of the links and the obstacles."""
+        return self._world
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -99,7 +109,7 @@ class Scene:
     @property
     def open_bodies(self) -> list[str]:
         """The links and obstacles whose surface is not closed: nothing counts as inside them."""
-        return [name for body, name in self._names.items() if not self.world.is_closed(body)]
+        return [name for body, name in self._names.items() if not self._world.is_closed(body)]
 
     def add(self, name: str, body: Any, motion: npt.ArrayLike | Deforming | None = None) -> int:
         """Add an obstacle.
@@ -127,7 +137,7 @@ class Scene:
         """
         if word(name, "name") in self._names.values():
             raise InvalidOptions(f"name is {name!r}, which the scene has already: give another")
-        number = self.world.add(shape_of(body, "body"), motion)
+        number = self._world.add(shape_of(body, "body"), motion)
         self._names[number] = name
         return number
 
@@ -136,7 +146,7 @@ class Scene:
 
         Parameters
         ----------
-        pairs : iterable of pairs of str
+        pairs : iterable of tuple of two str
             Names of links and obstacles.
 
         Raises
@@ -144,7 +154,7 @@ class Scene:
         InvalidOptions
             There is no such link or obstacle.
         """
-        self.world.set_may_touch([[self._body(name) for name in pair] for pair in pairs], False)
+        self._world.set_may_touch([[self._body(name) for name in pair] for pair in pairs], False)
 
     def _body(self, name: str) -> int:
         for body, known in self._names.items():
@@ -193,7 +203,7 @@ class Scene:
             As `Robot.chain`.
         """
         given = self._coordinates.some(configurations, "configurations")
-        found = self.world.configurations_are_free(self._linkage, np.atleast_2d(given), min_separation=min_separation)
+        found = self._world.configurations_are_free(self._linkage, np.atleast_2d(given), min_separation=min_separation)
         return found if given.ndim == 2 else bool(found[0])
 
     def is_free(
@@ -230,7 +240,7 @@ class Scene:
         """
         first, last = self._coordinates.edges(start, end, whole_turns)
         known, ends = truth(starts_are_valid, "starts_are_valid"), (np.atleast_2d(first), np.atleast_2d(last))
-        found = self.world.edges_are_free(self._linkage, *ends, known, min_separation=min_separation)
+        found = self._world.edges_are_free(self._linkage, *ends, known, min_separation=min_separation)
         return found if first.ndim == 2 else bool(found[0])
 
     def last_valid(
@@ -261,7 +271,7 @@ class Scene:
         """
         first, last = self._coordinates.edges(start, end, whole_turns)
         known, ends = truth(starts_are_valid, "starts_are_valid"), (np.atleast_2d(first), np.atleast_2d(last))
-        found = self.world.last_valid(self._linkage, *ends, known, min_separation=min_separation)
+        found = self._world.last_valid(self._linkage, *ends, known, min_separation=min_separation)
         pairs = [self._named(pair) for pair in found.bodies.tolist()]
         return Edges(found.is_free, found.fraction, found.overlaps_at_start, pairs, found.points)
 
@@ -289,7 +299,7 @@ class Scene:
         """
         ways = np.atleast_2d(self._coordinates.some(waypoints, "waypoints"))
         self._coordinates.edges(ways[:-1], ways[1:], whole_turns)
-        found = self.world.first_bad_edge(self._linkage, ways, min_separation=min_separation)
+        found = self._world.first_bad_edge(self._linkage, ways, min_separation=min_separation)
         pair = None if found.bodies is None else self._named(found.bodies)
         return TrajectoryAnswer(found.is_free, found.edge, found.fraction, pair, found.point)
 
@@ -320,7 +330,7 @@ class Scene:
             As `Robot.chain`.
         """
         given = self._coordinates.some(configurations, "configurations")
-        return self.world.roadmap(self._linkage, given, edges, min_separation=min_separation)
+        return self._world.roadmap(self._linkage, given, edges, min_separation=min_separation)
 
     def _named(self, pair: Any) -> tuple[str, str] | None:
         first, second = pair
@@ -336,7 +346,7 @@ class Scene:
 
         Returns
         -------
-        list of pairs of str
+        list of tuple of two str
             Their names; empty if the configuration is valid.
 
         Raises
@@ -345,8 +355,8 @@ class Scene:
             As `Robot.chain`.
         """
         at = self._coordinates.one(configuration, "configuration")
-        self.world.move_many(self._bodies, self._linkage.motions(at, at))
-        rows = np.sort(self.world.intersections().bodies, 1)
+        self._world.move_many(self._bodies, self._linkage.motions(at, at))
+        rows = np.sort(self._world.intersections().bodies, 1)
         found = {(a, b) for a, b in rows.tolist() if a in self._bodies or b in self._bodies}
         if not found and not self.is_valid(at):  # one is inside the other: test two bodies at a time
             pairs = [(a, b) for a in self._bodies for b in self._names if a < b]
@@ -355,10 +365,10 @@ class Scene:
 
     def _overlap_alone(self, pair: tuple[int, int]) -> bool:
         everything = list(self._names)
-        self.world.set_enabled(everything, False)
-        self.world.set_enabled(pair, True)
-        found = self.world.has_overlap()
-        self.world.set_enabled(everything, True)
+        self._world.set_enabled(everything, False)
+        self._world.set_enabled(pair, True)
+        found = self._world.has_overlap()
+        self._world.set_enabled(everything, True)
         return found
 
     def check(self, configuration: npt.ArrayLike) -> None:

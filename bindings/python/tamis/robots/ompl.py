@@ -44,7 +44,7 @@ class MotionValidator(ob.MotionValidator):  # type: ignore[misc]
     ----------
     information : ompl.base.SpaceInformation
         Of a space that `space_of` has made.
-    scene : Scene
+    scene : tamis.robots.Scene
         The robots and obstacles.
     """
 
@@ -64,7 +64,7 @@ def space_of(scene: Scene) -> Any:
 
     Parameters
     ----------
-    scene : Scene
+    scene : tamis.robots.Scene
         The robots, whose joints but the continuous ones have limits.
 
     Returns
@@ -96,7 +96,7 @@ def configuration_of(state: Any, scene: Scene) -> Doubles:
     ----------
     state : ompl.base.State
         A state.
-    scene : Scene
+    scene : tamis.robots.Scene
         The scene of the space.
 
     Returns
@@ -122,7 +122,7 @@ def state_of(configuration: npt.ArrayLike, scene: Scene, space: Any) -> Any:
     ----------
     configuration : array_like, shape (d,)
         One number for each of the scene's joints.
-    scene : Scene
+    scene : tamis.robots.Scene
         The scene of the space.
     space : ompl.base.StateSpace
         The space.
@@ -149,7 +149,7 @@ def simple_setup(scene: Scene) -> Any:
 
     Parameters
     ----------
-    scene : Scene
+    scene : tamis.robots.Scene
         The robots and obstacles.
 
     Returns
@@ -171,7 +171,7 @@ def set_start_and_goal(setup: Any, scene: Scene, start: npt.ArrayLike, goal: npt
     ----------
     setup : ompl.geometric.SimpleSetup
         As `simple_setup` makes it.
-    scene : Scene
+    scene : tamis.robots.Scene
         Its scene.
     start, goal : array_like, shape (d,)
         Configurations.
@@ -196,7 +196,7 @@ def waypoints_of(path: Any, scene: Scene) -> Doubles:
     ----------
     path : ompl.geometric.PathGeometric
         Such as ``setup.getSolutionPath()``.
-    scene : Scene
+    scene : tamis.robots.Scene
         The scene of its space.
 
     Returns

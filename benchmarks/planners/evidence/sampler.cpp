@@ -301,7 +301,8 @@ double balls_gap(const Scene& scene, const std::vector<Place>& places, std::size
   return (center(first) - center(second)).norm() - first.around - second.around;
 }
 
-/// 0: this pair is free all along. 1: it collides at a state. 2: it comes nearer than kNear, and no state collides.
+/// 0: this pair is free all along. 1: it collides at a state. 2: it comes nearer than kNear, and no state collides. Coal also
+/// says "collides" of triangles up to 1e-6 apart, so its distance must be 0, too.
 int truth_of(const Scene& scene, Edge& edge, std::int64_t a, std::int64_t b, Coal& coal) {
   const double speed = edge.speed(a, b);
   const auto first = static_cast<std::size_t>(a), second = static_cast<std::size_t>(b);
@@ -312,8 +313,8 @@ int truth_of(const Scene& scene, Edge& edge, std::int64_t a, std::int64_t b, Coa
       if (scene.bodies[body].joint >= 0) coal.place(body, places[static_cast<std::size_t>(scene.bodies[body].joint)]);
     double gap = balls_gap(scene, places, first, second);
     if (gap < kFar) {
-      if (coal.collides(first, second)) return 1;
       gap = coal.distance(first, second);
+      if (gap <= 0 && coal.collides(first, second)) return 1;
     }
     is_open = is_open || gap <= kNear;
     if (speed == 0 || time >= 1) return is_open ? 2 : 0;

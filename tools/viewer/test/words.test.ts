@@ -12,7 +12,7 @@ const step = { contacts: {}, toi_upper: null, stages: [], complete: true, ignore
 void test("only what is proven free is called so", () => {
   assert.equal(withoutContacts({ ...step, toi_lower: null }), "the step is free, proven.");
   assert.ok(withoutContacts({ ...step, toi_lower: 0 }).endsWith("may touch."));
-  assert.ok(withoutContacts({ ...step, toi_lower: 0.5 }).endsWith("may touch from 0.5 on."));
+  assert.ok(withoutContacts({ ...step, toi_lower: 0.5 }).endsWith("may touch from 0.500000 on."));
 });
 
 // Bug: of a frame to which no step leads the page says that nothing was found in the step to it.

@@ -301,8 +301,8 @@ double balls_gap(const Scene& scene, const std::vector<Place>& places, std::size
   return (center(first) - center(second)).norm() - first.around - second.around;
 }
 
-/// 0: this pair is free all along. 1: it collides at a state. 2: it comes nearer than kNear, and no state collides. Coal also
-/// says "collides" of triangles up to 1e-6 apart, so its distance must be 0, too.
+/// 0: this pair is free all along. 1: it collides at a state. 2: it comes nearer than kNear, and no state collides.
+/// Coal also says "collides" of triangles up to 1e-6 apart, so its distance must be 0, too.
 int truth_of(const Scene& scene, Edge& edge, std::int64_t a, std::int64_t b, Coal& coal) {
   const double speed = edge.speed(a, b);
   const auto first = static_cast<std::size_t>(a), second = static_cast<std::size_t>(b);

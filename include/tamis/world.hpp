@@ -278,7 +278,8 @@ class World {
   [[nodiscard]] std::vector<EdgeAnswer> last_valid(const Linkage&, std::span<const double> starts,
                                                    std::span<const double> ends, const EdgeOptions& = {});
   /// Finds the first edge of a trajectory that is not free. `waypoints`: two configurations or more, one after the
-  /// other. Only the first one is tested for an overlap: those that free edges reach have none.
+  /// other. Only the first one is tested for an overlap: those that free edges reach have none. If other bodies move,
+  /// all are tested, as obstacles begin each edge where they are at t = 0.
   [[nodiscard]] FirstBadEdge first_bad_edge(const Linkage&, std::span<const double> waypoints, const EdgeOptions& = {});
   /// Tests a roadmap. `edges`: the numbers of two configurations each. An edge is free if both its ends are, and if it
   /// has no contact.

@@ -100,6 +100,13 @@ std::vector<EdgeAnswer> World::last_valid(const Linkage& linkage, std::span<cons
   return answers;
 }
 
+bool World::State::others_stay(const LinkageTree& tree) const {
+  return std::ranges::none_of(bodies, [&](const auto& each) {
+    return each && each->motion_kind() != MotionKind::still &&
+           std::ranges::find(tree.bodies, each->id()) == tree.bodies.end();
+  });
+}
+
 void World::State::refuse_uneven(std::size_t starts, std::size_t ends) {
   if (starts != ends)
     throw InvalidOptions("there are " + std::to_string(starts) + " starts and " + std::to_string(ends) +
@@ -114,7 +121,10 @@ FirstBadEdge World::first_bad_edge(const Linkage& linkage, std::span<const doubl
     throw InvalidOptions("there are " + std::to_string(all.count()) + " waypoints: give two or more");
   const std::size_t count = all.count() - 1;
   std::atomic<std::size_t> first = count;
-  const auto is_known = [&](std::size_t i) { return i > 0 || asked.starts_are_free; };
+  // Obstacles that move are elsewhere when the next edge begins: what the edge before has proven is not about its
+  // start.
+  const bool others_stay = now->others_stay(*linkage.tree_);
+  const auto is_known = [&](std::size_t i) { return i > 0 ? others_stay : asked.starts_are_free; };
   now->for_each_edge(linkage.tree_, count, asked, [&](State::Edges& edges, std::size_t i) {
     if (i > first || edges.is_free(all[i], all[i + 1], is_known(i))) return;
     std::size_t before = first;

@@ -57,6 +57,8 @@ struct World::State {
   void for_each_edge(const std::shared_ptr<const LinkageTree>& tree, std::size_t count, const EdgeOptions& how,
                      const Test& test);
   /// Throws InvalidOptions.
+  /// Whether no body moves but those of the linkage.
+  bool others_stay(const LinkageTree& tree) const;
   static void refuse_uneven(std::size_t starts, std::size_t ends);
 
   void become(Body& body, Body moved) noexcept;

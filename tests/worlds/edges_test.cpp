@@ -288,6 +288,18 @@ TEST(Edges, MeetBodiesThatMoveByThemselves) {
   EXPECT_TRUE(world.edges_are_free(slide, at, at)[0]);
 }
 
+// Bug: a waypoint that the edge before has reached counts as free, though the obstacle is around it again at t=0, and
+// goes along with the part.
+TEST(Edges, OfATrajectoryBeginWhereObstaclesBegin) {
+  World world(one_thread());
+  world.add(ball(2, {4, 4, 4}, {10, 0, 0}), Rigid{interpolated_chain({}, {{20, 0, 0}, {}})});
+  const BodyId part = world.add(cube(), Static{});
+  const Linkage slide({{-1, {}, JointKind::sliding, {1, 0, 0}, 0}}, {{part, 0, {}}});
+  const FirstBadEdge bad = world.first_bad_edge(slide, std::vector<double>{0, 10, 30});
+  EXPECT_EQ(bad.edge, 1u);
+  EXPECT_TRUE(bad.answer.overlaps_at_start);
+}
+
 template <class Error>
 void expect_edges_refused(const std::function<void()>& call, const std::string& part) {
   try {

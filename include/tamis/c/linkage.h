@@ -85,9 +85,9 @@ TAMIS_API tamis_status tamis_world_last_valid(tamis_world* world, const tamis_li
                                               const tamis_path_options* options, tamis_edge_answer* answers,
                                               size_t answer_size);
 /** Finds the first edge of a trajectory of `waypoint_count` waypoints that is not free. Only the first waypoint is
- * tested for an overlap, unless `starts_are_free`. Writes its number, or waypoint_count - 1 if all edges are free; and
- * the answer about it, of `answer_size` bytes. Returns the statuses of tamis_world_configurations_are_free,
- * TAMIS_INVALID_OPTIONS for fewer than two waypoints. */
+ * tested for an overlap, unless `starts_are_free`; if other bodies move, all that come after it, too. Writes its
+ * number, or waypoint_count - 1 if all edges are free; and the answer about it, of `answer_size` bytes. Returns the
+ * statuses of tamis_world_configurations_are_free, TAMIS_INVALID_OPTIONS for fewer than two waypoints. */
 TAMIS_API tamis_status tamis_world_first_bad_edge(tamis_world* world, const tamis_linkage* linkage,
                                                   const double* waypoints, size_t waypoint_count, int starts_are_free,
                                                   const tamis_path_options* options, size_t* edge,

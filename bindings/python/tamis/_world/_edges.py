@@ -240,7 +240,8 @@ class EdgeQuestions:
     ) -> FirstBadEdge:
         """Find the first edge of a trajectory that is not free.
 
-        Only the first waypoint is tested for an overlap: those that free edges reach have none.
+        Only the first waypoint is tested for an overlap: those that free edges reach have none. If other bodies move,
+        all are tested, as obstacles begin each edge where they are at t = 0.
 
         Parameters
         ----------

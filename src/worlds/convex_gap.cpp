@@ -15,15 +15,15 @@ Point sum_of(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1],
 /// The closest point of a triangle (Ericson 2005, 5.1.5).
 Point closest_on(const Triangle& t, const Point& p) {
   const Point ab = difference(t[1], t[0]), ac = difference(t[2], t[0]), ap = difference(p, t[0]);
-  const double d1 = dot_of(ab, ap), d2 = dot_of(ac, ap);
+  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
   if (d1 <= 0 && d2 <= 0) return t[0];
   const Point bp = difference(p, t[1]);
-  const double d3 = dot_of(ab, bp), d4 = dot_of(ac, bp);
+  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
   if (d3 >= 0 && d4 <= d3) return t[1];
   const double vc = d1 * d4 - d3 * d2;
   if (vc <= 0 && d1 >= 0 && d3 <= 0) return sum_of(t[0], scaled(ab, d1 / (d1 - d3)));
   const Point cp = difference(p, t[2]);
-  const double d5 = dot_of(ab, cp), d6 = dot_of(ac, cp);
+  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
   if (d6 >= 0 && d5 <= d6) return t[2];
   const double vb = d5 * d2 - d1 * d6;
   if (vb <= 0 && d2 >= 0 && d6 <= 0) return sum_of(t[0], scaled(ac, d2 / (d2 - d6)));
@@ -37,7 +37,7 @@ Point closest_on(const Triangle& t, const Point& p) {
 /// Keeps the wider gap of a direction of any length.
 template <class WidthOf>
 void keep_wider(Gap& best, const Point& direction, const WidthOf& width_of) {
-  const double square = dot_of(direction, direction);
+  const double square = dot(direction, direction);
   if (!(square > 0x1p-900)) return;
   const Point unit = scaled(direction, 1 / std::sqrt(square));
   const double forward = width_of(unit), backward = width_of(scaled(unit, -1));
@@ -52,7 +52,7 @@ double sure_volume(const Point& a, const Point& b, const Point& c, const Point& 
   double size = 0;
   for (const Point& v : {x, y, z})
     for (const double entry : v) size = std::max(size, std::fabs(entry));
-  const double volume = dot_of(x, cross_of(y, z));
+  const double volume = dot(x, cross_of(y, z));
   const double bound = 128 * size * size * (error + 0x1p-50 * size) + 0x1p-1000;
   return std::fabs(volume) > bound ? volume : 0;
 }
@@ -98,15 +98,15 @@ Gap gap_of(const MiddleBox& a, const RoundedTransform& at_a, const MiddleBox& b,
   // The entries of the rotation from b to a, and both directions' extents.
   std::array<std::array<double, 3>, 3> r, abs_r;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) r[i][k] = dot_of(of_a[i], of_b[k]), abs_r[i][k] = std::fabs(r[i][k]);
+    for (std::size_t k = 0; k < 3; ++k) r[i][k] = dot(of_a[i], of_b[k]), abs_r[i][k] = std::fabs(r[i][k]);
   Gap best{{1, 0, 0}, kNoGap};
   const auto keep = [&](const Point& axis, double along, double width) {
     if (width > best.width) best = {along < 0 ? scaled(axis, -1) : axis, width};
   };
   std::array<double, 3> way_a, way_b;
   for (std::size_t i = 0; i < 3; ++i) {
-    way_a[i] = dot_of(way, of_a[i]);
-    way_b[i] = dot_of(way, of_b[i]);
+    way_a[i] = dot(way, of_a[i]);
+    way_b[i] = dot(way, of_b[i]);
     keep(of_a[i], way_a[i],
          std::fabs(way_a[i]) - a.half[i] -
              (b.half[0] * abs_r[i][0] + b.half[1] * abs_r[i][1] + b.half[2] * abs_r[i][2]));
@@ -125,15 +125,15 @@ Gap gap_of(const MiddleBox& a, const RoundedTransform& at_a, const MiddleBox& b,
       const double scale = 1 / std::sqrt(square), width = (std::fabs(along) - extent) * scale;
       if (width > best.width) {
         const Point axis = scaled(cross_of(of_a[i], of_b[k]), scale);
-        best = {dot_of(axis, way) < 0 ? scaled(axis, -1) : axis, width};
+        best = {dot(axis, way) < 0 ? scaled(axis, -1) : axis, width};
       }
     }
   return best;
 }
 
 double width_along(const Point& direction, const Triangle& a, const Triangle& b) {
-  return std::min({dot_of(direction, b[0]), dot_of(direction, b[1]), dot_of(direction, b[2])}) -
-         std::max({dot_of(direction, a[0]), dot_of(direction, a[1]), dot_of(direction, a[2])});
+  return std::min({dot(direction, b[0]), dot(direction, b[1]), dot(direction, b[2])}) -
+         std::max({dot(direction, a[0]), dot(direction, a[1]), dot(direction, a[2])});
 }
 
 Gap gap_of(const Triangle& a, const Triangle& b) {
@@ -147,7 +147,7 @@ Gap gap_of(const Triangle& a, const Triangle& b) {
     if (i > 0) on_b = closest_on(b, on_a);
     const Point way = difference(on_b, on_a);
     keep_wider(best, way, width_of);
-    if (best.width * best.width >= kGoodPart * kGoodPart * dot_of(way, way)) break;
+    if (best.width * best.width >= kGoodPart * kGoodPart * dot(way, way)) break;
   }
   if (best.width > 0) return best;
   std::array<Point, 3> sides_a, sides_b;

@@ -45,7 +45,7 @@ bool EdgeProver::may_meet_in_middle(const Piece& piece, const Item& item) {
   const RoundedTransform &at_a = piece.at_a[1]->place, &at_b = piece.at_b[1]->place;
   const Point way = difference(at_b.of(b.middle), at_a.of(a.middle));
   const double balls = a.radius + b.radius;
-  return dot_of(way, way) <= balls * balls && gap_of(a, at_a, b, at_b).width <= 0;
+  return dot(way, way) <= balls * balls && gap_of(a, at_a, b, at_b).width <= 0;
 }
 
 void EdgeProver::probe_leaves(const Piece& piece, const Item& leaves) {

@@ -17,14 +17,14 @@ void EdgeProver::visit(const Piece& piece, const Item& item) {
   for (std::size_t i = 0; i < 3; ++i)
     way[i] = difference(piece.at_b[i]->place.of(b.middle), piece.at_a[i]->place.of(a.middle));
   // Balls around the boxes.
-  const double balls = (a.radius + b.radius) * kRoundedUp, length = std::sqrt(dot_of(way[1], way[1]));
+  const double balls = (a.radius + b.radius) * kRoundedUp, length = std::sqrt(dot(way[1], way[1]));
   if (length > balls + piece.separation) {
     const Point direction{way[1][0] / length, way[1][1] / length, way[1][2] / length};
-    if (piece.proves(dot_of(direction, way[0]) - balls, dot_of(direction, way[2]) - balls, deviation)) return;
+    if (piece.proves(dot(direction, way[0]) - balls, dot(direction, way[2]) - balls, deviation)) return;
   }
   Gap gap = gap_of(a, piece.at_a[1]->place, b, piece.at_b[1]->place);
   const Point moved = difference(way[2], way[0]);
-  double loss = std::sqrt(dot_of(moved, moved)) + deviation;
+  double loss = std::sqrt(dot(moved, moved)) + deviation;
   const auto is_proven = [&](const auto& width_at) {
     if (!(gap.width > piece.separation)) return false;
     const double at_start = width_at(0), at_end = width_at(2);
@@ -32,7 +32,7 @@ void EdgeProver::visit(const Piece& piece, const Item& item) {
     return piece.proves(at_start, at_end, deviation);
   };
   if (is_proven([&](std::size_t i) {
-        return dot_of(gap.direction, way[i]) - a.extent(piece.at_a[i]->place, gap.direction) -
+        return dot(gap.direction, way[i]) - a.extent(piece.at_a[i]->place, gap.direction) -
                b.extent(piece.at_b[i]->place, gap.direction);
       }))
     return;
@@ -64,12 +64,11 @@ void EdgeProver::visit(const Piece& piece, const Item& item) {
 /// How far the items of a leaf reach along a direction.
 double EdgeProver::support(const BodyOnEdge& body, const RoundedTransform& place, Index leaf, const Point& direction) {
   const BodyShape& shape = body.shape();
-  const Point own{dot_of(column(place, 0), direction), dot_of(column(place, 1), direction),
-                  dot_of(column(place, 2), direction)};
+  const Point own{dot(column(place, 0), direction), dot(column(place, 1), direction), dot(column(place, 2), direction)};
   double farthest = -kUnbounded;
   for (const Index item : shape.tree.items_of(leaf))
-    for (const Index v : shape.corners_of(item)) farthest = std::max(farthest, dot_of(shape.points[at(v)], own));
-  return farthest + dot_of(place.shift, direction);
+    for (const Index v : shape.corners_of(item)) farthest = std::max(farthest, dot(shape.points[at(v)], own));
+  return farthest + dot(place.shift, direction);
 }
 
 /// True if of two nodes the first is to be replaced by its children: the larger one that has any.

@@ -11,7 +11,6 @@ namespace tamis {
 
 using Triangle = std::array<Point, 3>;
 
-inline double dot_of(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline Point cross_of(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -39,7 +38,7 @@ struct MiddleBox {
   /// How far it reaches along a direction from its middle, at a place.
   double extent(const RoundedTransform& place, const Point& direction) const {
     double sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) sum += half[k] * std::fabs(dot_of(column(place, k), direction));
+    for (std::size_t k = 0; k < 3; ++k) sum += half[k] * std::fabs(dot(column(place, k), direction));
     return sum;
   }
 };

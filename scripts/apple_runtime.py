@@ -47,10 +47,19 @@ def main() -> int:
     for tool, command in {"cc": f"cc -target {TARGET}", "ar": "ar", "ranlib": "ranlib"}.items():
         write_tool(folder / tool, f'exec {shlex.join(zig)} {command} "$@"')
     write_tool(folder / "strip", "exit 0")  # the linker does it
+    # For a module of Python nanobind gives a list of the names that Python has, and asks for a bundle: zig knows neither.
     write_tool(folder / "c++", f'''case " $* " in
 *" -c "*) exec {shlex.join(zig)} c++ -target {TARGET} "$@" ;;
-*) exec {folder}/cc "$@" {linked} ;;
-esac''')
+esac
+for word; do
+  shift
+  case $word in
+  -Wl,@*/darwin-ld-cpython.sym) word=-Wl,-undefined,dynamic_lookup ;;
+  -bundle) word=-dynamiclib ;;
+  esac
+  set -- "$@" "$word"
+done
+exec {folder}/cc "$@" {linked}''')
     (folder / "libapple_abi.tbd").write_text(
         "--- !tapi-tbd\ntbd-version: 4\ntargets: [ arm64-macos ]\ninstall-name: '/usr/lib/libc++abi.dylib'\n"
         f"exports:\n  - targets: [ arm64-macos ]\n    symbols: [ {kept} ]\n...\n")

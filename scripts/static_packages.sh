@@ -41,6 +41,7 @@ END
 
 scripts/header_package.sh "$packages" xsimd xsimd libxsimd-dev xsimd
 ln -s /usr/include/boost "$packages/include/"  # cmake/FindBoostHeaders.cmake needs no more
+[[ ! -e /usr/include/fast_float ]] || ln -s /usr/include/fast_float "$packages/include/"  # for libc++ (tools/files/text.cpp)
 scripts/header_package.sh "$packages" CLI11 CLI11::CLI11 libcli11-dev CLI
 scripts/header_package.sh "$packages" nlohmann_json nlohmann_json::nlohmann_json nlohmann-json3-dev nlohmann
 scripts/header_package.sh "$packages" fmt fmt::fmt libfmt-dev fmt FMT_HEADER_ONLY

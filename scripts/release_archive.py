@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""release_archive.py WORK FOLDER PROCESSOR: installs what a release's archive for Linux has into FOLDER, and tries it.
+
+That is the shared library, the C interface, headers, licences, and files for CMake and pkg-config. PROCESSOR is x86_64 or aarch64. Compilers and
+oneTBB are those of the wheels (scripts/release_wheel.py), so that the files work with glibc 2.28 and GCC 8's libstdc++; WORK may be
+the same folder. The README's example runs with the files, for another processor by qemu.
+"""
+
+import pathlib
+import platform
+import re
+import shutil
+import sys
+
+from build_wheel import ROOT, exit_with, make_tools, run
+from release_wheel import licence_texts, prepare
+
+NEWEST = (2, 28)
+INSIDE = ["libtbb-dev", "libxsimd-dev"]
+
+
+def check_glibc(folder: pathlib.Path) -> None:
+    for library in folder.glob("lib/*.so.*"):
+        needed = {tuple(map(int, v.split("."))) for v in re.findall(r"GLIBC_([\d.]+)", run("objdump", "-T", library))}
+        if not needed or max(needed) > NEWEST:
+            sys.exit(f"release_archive.py: {library.name} needs glibc {max(needed, default='?')}, and {NEWEST} is the newest that it may need")
+
+
+def try_example(folder: pathlib.Path, processor: str, work: pathlib.Path) -> None:
+    qemu = [] if processor == platform.machine() else [f"qemu-{processor}", "-L", f"/usr/{processor}-linux-gnu"]
+    for suffix, compiler, library in (("cpp", f"{processor}-linux-gnu-g++", "tamis"), ("c", f"{processor}-linux-gnu-gcc", "tamis_c")):
+        program = work / f"hello-{suffix}-{processor}"
+        run(compiler, *(["-std=c++20"] if suffix == "cpp" else []), ROOT / f"examples/hello.{suffix}", f"-I{folder}/include", f"-L{folder}/lib",
+            f"-l{library}", f"-Wl,-rpath,{folder}/lib", "-o", program)
+        if run(*qemu, program) != (ROOT / f"examples/output/hello.{suffix}.txt").read_text():
+            sys.exit(f"release_archive.py: examples/hello.{suffix} prints something else with {folder}")
+
+
+def main() -> int:
+    if len(sys.argv) != 4 or sys.argv[3] not in ("x86_64", "aarch64"):
+        sys.exit(__doc__)
+    work, folder = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+    processor = sys.argv[3]
+    work.mkdir(parents=True, exist_ok=True)
+    make_tools(work)
+    defines = [*prepare(work, f"linux-{processor}"), "CMAKE_BUILD_TYPE=Release", "BUILD_SHARED_LIBS=ON", "TAMIS_TBB=ON", "TAMIS_BUILD_TOOLS=OFF",
+               "TAMIS_BUILD_LAB=OFF", "TAMIS_BUILD_TESTS=OFF", "CMAKE_UNITY_BUILD_BATCH_SIZE=0", "CMAKE_INSTALL_LIBDIR=lib"]
+    build = work / f"archive-{processor}"
+    run("cmake", "-S", ROOT, "-B", build, "-G", "Ninja", *(f"-D{each}" for each in defines))
+    run("cmake", "--build", build)
+    shutil.rmtree(folder, ignore_errors=True)
+    for component in ("library", "development", "licence"):
+        run("cmake", "--install", build, "--component", component, "--prefix", folder, "--strip")
+    (folder / "share/doc/tamis/licences").mkdir(parents=True)
+    for name, text in licence_texts(INSIDE).items():
+        shutil.copy(text.resolve(), folder / "share/doc/tamis/licences" / name)
+    check_glibc(folder)
+    try_example(folder, processor, work)
+    return 0
+
+
+if __name__ == "__main__":
+    exit_with(main)

@@ -19,8 +19,13 @@ NEWEST = (2, 28)
 INSIDE = ["libtbb-dev", "libxsimd-dev"]
 
 
-def check_glibc(folder: pathlib.Path) -> None:
-    for library in folder.glob("lib/*.so.*"):
+def check_symbols(folder: pathlib.Path) -> None:
+    """The libraries show Tamis's functions alone, and need no newer glibc."""
+    for library in folder.glob("lib/*.so.*.*.*"):
+        shown = run("nm", "-DC", "--defined-only", library).splitlines()
+        foreign = [line for line in shown if "tamis" not in line.lower()]
+        if foreign or not shown:
+            sys.exit(f"release_archive.py: {library.name} shows {len(shown)} symbols, of which not its own: {foreign[:3]}")
         needed = {tuple(map(int, v.split("."))) for v in re.findall(r"GLIBC_([\d.]+)", run("objdump", "-T", library))}
         if not needed or max(needed) > NEWEST:
             sys.exit(f"release_archive.py: {library.name} needs glibc {max(needed, default='?')}, and {NEWEST} is the newest that it may need")
@@ -54,7 +59,7 @@ def main() -> int:
     (folder / "share/doc/tamis/licences").mkdir(parents=True)
     for name, text in licence_texts(INSIDE).items():
         shutil.copy(text.resolve(), folder / "share/doc/tamis/licences" / name)
-    check_glibc(folder)
+    check_symbols(folder)
     try_example(folder, processor, work)
     return 0
 

@@ -59,7 +59,9 @@ for word; do
   esac
   set -- "$@" "$word"
 done
-exec {folder}/cc "$@" {linked}''')
+{folder}/cc "$@" {linked} || exit
+while [ $# -gt 0 ] && [ "$1" != -o ]; do shift; done
+[ $# -eq 0 ] || exec {sys.executable} {pathlib.Path(__file__).with_name("apple_local.py")} "$2"''')
     (folder / "libapple_abi.tbd").write_text(
         "--- !tapi-tbd\ntbd-version: 4\ntargets: [ arm64-macos ]\ninstall-name: '/usr/lib/libc++abi.dylib'\n"
         f"exports:\n  - targets: [ arm64-macos ]\n    symbols: [ {kept} ]\n...\n")

@@ -13,10 +13,11 @@ import shutil
 import sys
 
 from build_wheel import ROOT, exit_with, make_tools, run
-from release_wheel import licence_texts, prepare
+from carry_packages import licence_texts
+from release_wheel import prepare
 
 NEWEST = (2, 28)
-INSIDE = ["libtbb-dev", "libxsimd-dev"]
+INSIDE = {"libtbb-dev": "Apache-2.0", "libxsimd-dev": "BSD-3-Clause"}
 OWN = re.compile(r"\w* *\w (typeinfo (name )?for |vtable for |VTT for |non-virtual thunk to )?(tamis(::|_)|TAMIS_)")
 SETTINGS = ["CMAKE_BUILD_TYPE=Release", "BUILD_SHARED_LIBS=ON", "TAMIS_TBB=ON", "TAMIS_BUILD_TOOLS=OFF", "TAMIS_BUILD_LAB=OFF",
             "TAMIS_BUILD_TESTS=OFF", "CMAKE_UNITY_BUILD_BATCH_SIZE=0", "CMAKE_INSTALL_LIBDIR=lib"]

@@ -16,13 +16,12 @@ import sys
 import sysconfig
 
 import build_wheel as ordinary
+import carry_packages as carried
 from build_wheel import ROOT, run
 
-# The licences of what is compiled in, by package of Debian. Boost's asks for no notice in compiled code, nor do those of GCC's
-# libraries (the runtime exception).
-LICENCES = {"libcli11-dev": "BSD-3-Clause", "libeigen3-dev": "MPL-2.0", "libfast-float-dev": "MIT", "libfmt-dev": "MIT",
-            "libmeshoptimizer-dev": "MIT", "libtbb-dev": "Apache-2.0", "libxsimd-dev": "BSD-3-Clause", "nlohmann-json3-dev": "MIT", "zlib1g-dev": "Zlib"}
-FULL_TEXTS = {"Apache-2.0", "MPL-2.0"}  # Debian's copyright files only name these
+# The licences of what is compiled in besides what the source distribution carries, by package of Debian. Those of GCC's libraries ask
+# for no notice (the runtime exception).
+LICENCES = {"libtbb-dev": "Apache-2.0"}
 
 
 def copy_python(folder: pathlib.Path) -> pathlib.Path:
@@ -35,12 +34,6 @@ def copy_python(folder: pathlib.Path) -> pathlib.Path:
     return folder
 
 
-def licence_texts(packages: "list[str]") -> "dict[str, pathlib.Path]":
-    """Return the licences of packages, by the names of the files to write."""
-    texts = {f"{package}.txt": pathlib.Path("/usr/share/doc") / package / "copyright" for package in packages}
-    return texts | {f"{name}.txt": pathlib.Path("/usr/share/common-licenses") / name for name in FULL_TEXTS & {LICENCES[p] for p in packages}}
-
-
 def add_licences(wheel: pathlib.Path, work: pathlib.Path) -> None:
     """Pack the licences of what is compiled in into a wheel, and name them in its metadata."""
     python, unpacked = work / "tools/bin/python", work / "unpacked"
@@ -49,12 +42,12 @@ def add_licences(wheel: pathlib.Path, work: pathlib.Path) -> None:
     (root,) = unpacked.iterdir()
     (info,) = root.glob("*.dist-info")
     (nanobind,) = (work / "tools").glob("lib/python*/site-packages/nanobind-*.dist-info/licenses/LICENSE")
-    for name, text in {**licence_texts([*LICENCES]), "nanobind.txt": nanobind}.items():
+    for name, text in {**carried.licence_texts(LICENCES), "nanobind.txt": nanobind}.items():
         shutil.copy(text.resolve(), info / "licenses" / name)
-    expression = " AND ".join(["MIT", *sorted({*LICENCES.values()} - {"MIT"})])
+    files = sorted(path.relative_to(info / "licenses") for path in (info / "licenses").rglob("*") if path.is_file())
     head, _, rest = (info / "METADATA").read_text().partition("\n\n")
     lines = [line for line in head.splitlines() if not line.startswith("License-")]
-    lines += [f"License-Expression: {expression}", *(f"License-File: {p.name}" for p in sorted((info / "licenses").iterdir()))]
+    lines += [f"License-Expression: {carried.expression({**carried.LICENCES, **LICENCES})}", *(f"License-File: {path}" for path in files)]
     (info / "METADATA").write_text("\n".join(lines) + "\n\n" + rest)
     run(python, "-m", "wheel", "pack", root, "--dest-dir", work / "shipped")
 
@@ -67,22 +60,27 @@ def linux(work: pathlib.Path, target: str) -> "list[str]":
             f"TAMIS_PACKAGES={work}/packages-{target}", f"TAMIS_OLD_GLIBC={work}/glibc-{target}"]
 
 
+def nanobind_in(work: pathlib.Path) -> pathlib.Path:
+    """Return the folder of nanobind's files for CMake, which does not look there where it finds packages of another system alone."""
+    (folder,) = (work / "tools").glob("lib/python*/site-packages/nanobind/cmake")
+    return folder
+
+
 def macos(work: pathlib.Path, target: str) -> "list[str]":
     """Make zig's compilers; return definitions for CMake."""
     python = run("scripts/pinned.sh", "python", "zig", cwd=ROOT).strip()
     run(python, "scripts/apple_runtime.py", work / "zig", cwd=ROOT)
-    (nanobind,) = (work / "tools").glob("lib/python*/site-packages/nanobind/cmake")
     return [f"CMAKE_TOOLCHAIN_FILE={ROOT}/cmake/zig.cmake", f"TAMIS_ZIG={work}/zig", "TAMIS_ZIG_SYSTEM=Darwin",
             "TAMIS_ZIG_PROCESSOR=arm64", "CMAKE_C_VISIBILITY_PRESET=hidden", "CMAKE_CXX_VISIBILITY_PRESET=hidden",
             "CMAKE_VISIBILITY_INLINES_HIDDEN=ON", f"TAMIS_ZIG_PACKAGES={work}/packages-{target}", f"CMAKE_STRIP={work}/zig/strip",
-            f"nanobind_DIR={nanobind}"]
+            f"nanobind_DIR={nanobind_in(work)}"]
 
 
 def prepare(work: pathlib.Path, target: str) -> "list[str]":
     """Make compilers and static libraries for a target; return definitions for CMake."""
     system, _ = TARGETS[target]
     defines = system(work, target)
-    run("scripts/static_packages.sh", work / f"packages-{target}", "--tbb", "--zlib", *(f"-D{each}" for each in defines), cwd=ROOT)
+    run("scripts/static_packages.sh", work / f"packages-{target}", "--tbb", *(f"-D{each}" for each in defines), cwd=ROOT)
     return defines
 
 
@@ -115,6 +113,9 @@ def check(work: pathlib.Path, checks: pathlib.Path) -> None:
             print(f"{wheel.name}: auditwheel says {found['overall_tag']}, and needs {found['versioned_symbols']}")
             if glibc_of(found["overall_tag"]) > glibc_of(wheel.name):
                 sys.exit(f"release_wheel.py: {wheel.name} does not keep what its name says")
+        if "macosx" in wheel.name:
+            python = run("scripts/pinned.sh", "python", "zig", cwd=ROOT).strip()
+            print(run(python, "scripts/check_macos_wheel.py", wheel, nanobind_in(work) / "darwin-ld-cpython.sym", cwd=ROOT))
         print(run(checks / "abi3audit", "--strict", "--summary", wheel))
         print(run(checks / "check-wheel-contents", "--ignore", "W008", wheel))  # W008: empty files are no fault
         print(f"{wheel.stat().st_size} bytes: {wheel.name}")
@@ -131,7 +132,8 @@ def main() -> int:
     ordinary.make_tools(work)
     source = ordinary.make_source(work)
     shutil.rmtree(work / "shipped", ignore_errors=True)
-    shutil.copytree(work / "sdist", work / "shipped")
+    carried.carry(source)
+    run(work / "tools/bin/python", "-m", "build", "--sdist", "--no-isolation", "--outdir", work / "shipped", source)
     for target in sys.argv[2:]:
         build(work, source, target, checks)
     check(work, checks)

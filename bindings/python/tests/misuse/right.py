@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+import pytest
 from conftest import END, FACES, START
 
 import tamis
@@ -189,9 +190,11 @@ def _of_callee(callee: Callee, folder: pathlib.Path) -> dict[str, Any]:
     if short == "simulate":
         return {"name": "funnel", "folder": folder / "run", "triangles": 500, "frames": 0}
     if short == "read_usd":
+        pytest.importorskip("pxr.Usd")
         (folder / "stage.usda").write_text(_STAGE)
         return {"stage": folder / "stage.usda", "prims": ["/Spike"]}
     if short == "read_gltf":
+        pytest.importorskip("pygltflib")
         (folder / "mesh.gltf").write_text(_gltf())
         return {"path": folder / "mesh.gltf"}
     same = next((thing for thing in _objects() if type(thing) is callee.function), None)

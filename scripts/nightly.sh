@@ -37,11 +37,14 @@ run scripts/test_conan.sh
 run scripts/test_vcpkg.sh
 run scripts/test_crate.sh
 run scripts/test_npm.sh --bundler
-run scripts/release.sh "$(sed -n 's/^project(tamis VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)" build/release/nightly
+version=$(sed -n 's/^project(tamis VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)
+run scripts/release.sh "$version" build/release/nightly
 run scripts/python_versions.sh build/release/nightly/*manylinux*x86_64.whl python3
+run scripts/test_arm64_wheel.sh build/release/nightly/*manylinux*aarch64.whl build/release/nightly/*manylinux*x86_64.whl
 run scripts/refused_wheels.sh build/release/nightly/*manylinux*x86_64.whl
 for release in trixie bookworm; do
   run env TAMIS_DATA="$PWD/build/release/nightly" scripts/try_in_root.sh --data "$release" scripts/try_release.sh ../shared/data
+  run env TAMIS_DATA="$PWD/build/release/nightly" scripts/try_in_root.sh --data "$release" scripts/try_sdist.sh ../shared/data/tamis-"$version".tar.gz
 done
 run scripts/sanitize.sh address
 run scripts/sanitize.sh thread

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# release_wheels.sh FOLDER: puts the wheel for Python on Linux and the source distribution into FOLDER. scripts/release_wheel.py says how
-# they are made and checked; its other targets have not been built yet. Exit code 77 if the compilers or the packages of PyPI cannot be had.
+# release_wheels.sh FOLDER: puts the wheels for Python on Linux (x86-64, ARM64) and macOS (ARM64), and the source distribution, into
+# FOLDER. scripts/release_wheel.py says how they are made and checked. A target whose compiler is missing is named. Exit code 77 if the
+# packages of PyPI cannot be had.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -8,8 +9,16 @@ out=$(realpath -m "${1:?say which folder}")
 for set in zig wheels; do
   tool=$(scripts/pinned.sh python "$set") || { echo "$tool"; exit 77; }
 done
-scripts/setup.sh --wheels || { echo "skipped: Debian's compilers cannot be had"; exit 77; }
+scripts/setup.sh --wheels || echo "release_wheels: not all of Debian's packages can be had"
+targets=(macos-arm64)
+for processor in x86_64 aarch64; do
+  if command -v "$processor-linux-gnu-g++" >/dev/null; then
+    targets+=("linux-$processor")
+  else
+    echo "release_wheels: no wheel for linux-$processor: there is no $processor-linux-gnu-g++ here (scripts/setup.sh --wheels)"
+  fi
+done
 work=$PWD/build/wheels
-python3 scripts/release_wheel.py "$work" linux-x86_64
+python3 scripts/release_wheel.py "$work" "${targets[@]}"
 mkdir -p "$out"
 cp "$work"/shipped/* "$out"

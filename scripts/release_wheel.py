@@ -2,16 +2,19 @@
 """release_wheel.py WORK TARGET...: builds the wheels as they are shipped, and checks them. TARGETS below lists the targets.
 
 Makes WORK/shipped: the source distribution, and a wheel for each target that serves CPython 3.10 and all later ones
-(cp310-abi3). oneTBB and all other libraries are linked statically, as wheels of other packages bring a oneTBB of their own. C++'s
-runtime is the system's: the module shares it with nanobind's backend. The same commit gives the same bytes in any folder
+(cp310-abi3), on Windows from 3.12 on. oneTBB and all other libraries are linked statically, as wheels of other packages bring a oneTBB of their own. C++'s
+runtime is the system's: the module shares it with nanobind's backend. On Windows both are inside. The same commit gives the same bytes in any folder
 (SOURCE_DATE_EPOCH). Checked by auditwheel, abi3audit, check-wheel-contents and twine.
 """
 
+import itertools
 import os
 import pathlib
 import shutil
 import sys
 import sysconfig
+import tempfile
+import zipfile
 
 import build_wheel as ordinary
 from build_wheel import ROOT, run
@@ -20,6 +23,8 @@ from build_wheel import ROOT, run
 # libraries (the runtime exception).
 LICENCES = {"libcli11-dev": "BSD-3-Clause", "libeigen3-dev": "MPL-2.0", "libfmt-dev": "MIT", "libmeshoptimizer-dev": "MIT",
             "libtbb-dev": "Apache-2.0", "libxsimd-dev": "BSD-3-Clause", "nlohmann-json3-dev": "MIT", "zlib1g-dev": "Zlib"}
+OF_MINGW = {"mingw-w64-x86-64-dev": "ZPL-2.1"}  # the C library's part that is linked, and threads
+OF_WINDOWS = {"kernel32.dll", "msvcrt.dll", "python3.dll", "shell32.dll"}  # the DLLs that files for Windows may need
 FULL_TEXTS = {"Apache-2.0", "MPL-2.0"}  # Debian's copyright files only name these
 
 
@@ -41,11 +46,12 @@ def add_licences(wheel: pathlib.Path, work: pathlib.Path) -> None:
     (root,) = unpacked.iterdir()
     (info,) = root.glob("*.dist-info")
     (nanobind,) = (work / "tools").glob("lib/python*/site-packages/nanobind-*.dist-info/licenses/LICENSE")
-    texts = {f"{package}.txt": pathlib.Path("/usr/share/doc") / package / "copyright" for package in LICENCES}
+    licences = {**LICENCES, **(OF_MINGW if "win_amd64" in wheel.name else {})}
+    texts = {f"{package}.txt": pathlib.Path("/usr/share/doc") / package / "copyright" for package in licences}
     texts |= {f"{name}.txt": pathlib.Path("/usr/share/common-licenses") / name for name in FULL_TEXTS}
     for name, text in {**texts, "nanobind.txt": nanobind}.items():
         shutil.copy(text.resolve(), info / "licenses" / name)
-    expression = " AND ".join(["MIT", *sorted({*LICENCES.values()} - {"MIT"})])
+    expression = " AND ".join(["MIT", *sorted({*licences.values()} - {"MIT"})])
     head, _, rest = (info / "METADATA").read_text().partition("\n\n")
     lines = [line for line in head.splitlines() if not line.startswith("License-")]
     lines += [f"License-Expression: {expression}", *(f"License-File: {p.name}" for p in sorted((info / "licenses").iterdir()))]
@@ -61,14 +67,27 @@ def linux(work: pathlib.Path, target: str) -> "list[str]":
             f"TAMIS_PACKAGES={work}/packages-{target}", f"TAMIS_OLD_GLIBC={work}/glibc-{target}"]
 
 
+def nanobind_in(work: pathlib.Path) -> pathlib.Path:
+    """Return the folder of nanobind's files for CMake, which does not look there where it finds packages of another system alone."""
+    (folder,) = (work / "tools").glob("lib/python*/site-packages/nanobind/cmake")
+    return folder
+
+
 def macos(work: pathlib.Path, target: str) -> "list[str]":
     """Make zig's compilers; return definitions for CMake."""
     python = run("scripts/pinned.sh", "python", "zig", cwd=ROOT).strip()
     run(python, "scripts/apple_runtime.py", work / "zig", cwd=ROOT)
-    (nanobind,) = (work / "tools").glob("lib/python*/site-packages/nanobind/cmake")
     return [f"CMAKE_TOOLCHAIN_FILE={ROOT}/cmake/zig.cmake", f"TAMIS_ZIG={work}/zig", "TAMIS_ZIG_SYSTEM=Darwin",
             "TAMIS_ZIG_PROCESSOR=arm64", f"TAMIS_ZIG_PACKAGES={work}/packages-{target}", f"CMAKE_STRIP={work}/zig/strip",
-            f"nanobind_DIR={nanobind}"]
+            f"nanobind_DIR={nanobind_in(work)}"]
+
+
+def windows(work: pathlib.Path, target: str) -> "list[str]":
+    """Get Python's headers and import library; return definitions for CMake."""
+    run("scripts/windows_python.sh", work / "python-windows", cwd=ROOT)
+    return [f"CMAKE_TOOLCHAIN_FILE={ROOT}/cmake/windows.cmake", f"TAMIS_WINDOWS_PACKAGES={work}/packages-{target}",
+            f"TAMIS_WINDOWS_PYTHON={work}/python-windows", f"CMAKE_MODULE_PATH={ROOT}/cmake/windows_python",
+            f"nanobind_DIR={nanobind_in(work)}"]
 
 
 def build(work: pathlib.Path, source: pathlib.Path, target: str, checks: pathlib.Path) -> None:
@@ -80,24 +99,40 @@ def build(work: pathlib.Path, source: pathlib.Path, target: str, checks: pathlib
         work, source, f"raw-{target}",
         [*defines, f"Python_INCLUDE_DIR={python}", "TAMIS_TBB=ON", "CMAKE_UNITY_BUILD_BATCH_SIZE=0"], objects=f"objects-{target}")
     plain = tag.replace("manylinux_2_28", "linux")
-    run(work / "tools/bin/python", "-m", "wheel", "tags", "--remove", "--platform-tag", plain, raw)
+    tags = zip(("--python-tag", "--abi-tag", "--platform-tag"), plain.split("-"))
+    run(work / "tools/bin/python", "-m", "wheel", "tags", "--remove", *itertools.chain(*tags), raw)
     (raw,) = raw.parent.glob("*.whl")
     if plain != tag:  # checks, too, that the wheel keeps what its name says
-        run(checks / "auditwheel", "repair", "--plat", tag, "--only-plat", "--wheel-dir", raw.parent, raw,
+        run(checks / "auditwheel", "repair", "--plat", tag.split("-")[2], "--only-plat", "--wheel-dir", raw.parent, raw,
             env={**os.environ, "PATH": f"{checks}:{os.environ['PATH']}"})
         raw.unlink()
         (raw,) = raw.parent.glob("*.whl")
     add_licences(raw, work)
 
 
-TARGETS = {"linux-x86_64": (linux, "manylinux_2_28_x86_64"), "linux-aarch64": (linux, "manylinux_2_28_aarch64"),
-           "macos-arm64": (macos, "macosx_11_0_arm64")}
+TARGETS = {"linux-x86_64": (linux, "cp310-abi3-manylinux_2_28_x86_64"), "linux-aarch64": (linux, "cp310-abi3-manylinux_2_28_aarch64"),
+           "macos-arm64": (macos, "cp310-abi3-macosx_11_0_arm64"), "windows-x86_64": (windows, "cp312-abi3-win_amd64")}
+
+
+def check_dlls(wheel: pathlib.Path) -> str:
+    """Return the DLLs that a wheel's files need, or end if Windows and Python 3 do not have one of them."""
+    found = set()
+    with zipfile.ZipFile(wheel) as files, tempfile.TemporaryDirectory() as folder:
+        for name in files.namelist():
+            if name.endswith((".pyd", ".dll", ".exe")):
+                says = run("x86_64-w64-mingw32-objdump", "-p", files.extract(name, folder))
+                found |= {line.split()[-1].lower() for line in says.splitlines() if "DLL Name:" in line}
+    if "python3.dll" not in found or not found <= OF_WINDOWS:
+        sys.exit(f"release_wheel.py: {wheel.name} needs {', '.join(sorted(found))}, and may need {', '.join(sorted(OF_WINDOWS))} alone")
+    return f"{wheel.name} needs {', '.join(sorted(found))}"
 
 
 def check(work: pathlib.Path, checks: pathlib.Path) -> None:
     for wheel in sorted((work / "shipped").glob("*.whl")):
         if "manylinux" in wheel.name:
             print(run(checks / "auditwheel", "show", wheel))
+        if "win_amd64" in wheel.name:
+            print(check_dlls(wheel))
         print(run(checks / "abi3audit", "--strict", "--summary", wheel))
         print(run(checks / "check-wheel-contents", "--ignore", "W008", wheel))  # W008: empty files are no fault
         print(f"{wheel.stat().st_size} bytes: {wheel.name}")

@@ -39,6 +39,7 @@ run scripts/test_crate.sh
 run scripts/test_npm.sh --bundler
 run scripts/release.sh "$(sed -n 's/^project(tamis VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)" build/release/nightly
 run scripts/python_versions.sh build/release/nightly/*manylinux*x86_64.whl python3
+run scripts/test_windows_wheel.sh build/release/nightly/*win_amd64.whl "$(ls build/python-versions/*/bin/python | head -1)"
 run scripts/refused_wheels.sh build/release/nightly/*manylinux*x86_64.whl
 for release in trixie bookworm; do
   run env TAMIS_DATA="$PWD/build/release/nightly" scripts/try_in_root.sh --data "$release" scripts/try_release.sh ../shared/data

@@ -17,7 +17,7 @@ command -v mvn >/dev/null || { echo "skipped: no Python for Windows, as there is
 rm -rf "$folder"
 mkdir -p "$folder"
 jar=cpython-$version-windows-x86_64.jar
-mvn --quiet --batch-mode dependency:copy -Dartifact="org.bytedeco:cpython:$version:jar:windows-x86_64" -DoutputDirectory="$folder" >&2 ||
+mvn --quiet --batch-mode dependency:copy -Dartifact="org.bytedeco:cpython:$version:jar:windows-x86_64" -DoutputDirectory="$folder" >/dev/null ||
   { echo "skipped: no Python for Windows, as Maven's org.bytedeco:cpython:$version cannot be had"; exit 77; }
 sha256sum --quiet --check <<<"$sum  $folder/$jar"
 python3 -m zipfile -e "$folder/$jar" "$folder"

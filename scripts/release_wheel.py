@@ -2,11 +2,12 @@
 """release_wheel.py WORK TARGET...: builds the wheels as they are shipped, and checks them. TARGETS below lists the targets.
 
 Makes WORK/shipped: the source distribution, and a wheel for each target that serves CPython 3.10 and all later ones
-(cp310-abi3). oneTBB and all other libraries are linked statically, as wheels of other packages bring a oneTBB of their own. C++'s
-runtime is the system's: the module shares it with nanobind's backend. The same commit gives the same bytes in any folder
+(cp310-abi3), on Windows from 3.12 on. oneTBB and all other libraries are linked statically, as wheels of other packages bring a oneTBB of their own. C++'s
+runtime is the system's: the module shares it with nanobind's backend. On Windows both are inside. The same commit gives the same bytes in any folder
 (SOURCE_DATE_EPOCH). Checked by auditwheel, abi3audit, check-wheel-contents and twine.
 """
 
+import itertools
 import json
 import os
 import pathlib
@@ -14,6 +15,8 @@ import re
 import shutil
 import sys
 import sysconfig
+import tempfile
+import zipfile
 
 import build_wheel as ordinary
 import carry_packages as carried
@@ -22,6 +25,8 @@ from build_wheel import ROOT, run
 # The licences of what is compiled in besides what the source distribution carries, by package of Debian. Those of GCC's libraries ask
 # for no notice (the runtime exception).
 LICENCES = {"libtbb-dev": "Apache-2.0"}
+OF_MINGW = {"mingw-w64-x86-64-dev": "ZPL-2.1"}  # the C library's part that is linked, and threads
+OF_WINDOWS = {"kernel32.dll", "msvcrt.dll", "python3.dll", "shell32.dll"}  # the DLLs that files for Windows may need
 
 
 def copy_python(folder: pathlib.Path) -> pathlib.Path:
@@ -42,12 +47,13 @@ def add_licences(wheel: pathlib.Path, work: pathlib.Path) -> None:
     (root,) = unpacked.iterdir()
     (info,) = root.glob("*.dist-info")
     (nanobind,) = (work / "tools").glob("lib/python*/site-packages/nanobind-*.dist-info/licenses/LICENSE")
-    for name, text in {**carried.licence_texts(LICENCES), "nanobind.txt": nanobind}.items():
+    licences = {**LICENCES, **(OF_MINGW if "win_amd64" in wheel.name else {})}
+    for name, text in {**carried.licence_texts(licences), "nanobind.txt": nanobind}.items():
         shutil.copy(text.resolve(), info / "licenses" / name)
     files = sorted(path.relative_to(info / "licenses") for path in (info / "licenses").rglob("*") if path.is_file())
     head, _, rest = (info / "METADATA").read_text().partition("\n\n")
     lines = [line for line in head.splitlines() if not line.startswith("License-")]
-    lines += [f"License-Expression: {carried.expression({**carried.LICENCES, **LICENCES})}", *(f"License-File: {path}" for path in files)]
+    lines += [f"License-Expression: {carried.expression({**carried.LICENCES, **licences})}", *(f"License-File: {path}" for path in files)]
     (info / "METADATA").write_text("\n".join(lines) + "\n\n" + rest)
     run(python, "-m", "wheel", "pack", root, "--dest-dir", work / "shipped")
 
@@ -76,6 +82,14 @@ def macos(work: pathlib.Path, target: str) -> "list[str]":
             f"nanobind_DIR={nanobind_in(work)}"]
 
 
+def windows(work: pathlib.Path, target: str) -> "list[str]":
+    """Get Python's headers and import library; return definitions for CMake."""
+    run("scripts/windows_python.sh", work / "python-windows", cwd=ROOT)
+    return [f"CMAKE_TOOLCHAIN_FILE={ROOT}/cmake/windows.cmake", f"TAMIS_WINDOWS_PACKAGES={work}/packages-{target}",
+            f"TAMIS_WINDOWS_PYTHON={work}/python-windows", f"CMAKE_MODULE_PATH={ROOT}/cmake/windows_python",
+            f"nanobind_DIR={nanobind_in(work)}"]
+
+
 def prepare(work: pathlib.Path, target: str) -> "list[str]":
     """Make compilers and static libraries for a target; return definitions for CMake."""
     system, _ = TARGETS[target]
@@ -91,13 +105,27 @@ def build(work: pathlib.Path, source: pathlib.Path, target: str, checks: pathlib
     raw = ordinary.compile_wheel(
         work, source, f"raw-{target}",
         [*defines, f"Python_INCLUDE_DIR={python}", "TAMIS_TBB=ON", "CMAKE_UNITY_BUILD_BATCH_SIZE=0"], objects=f"objects-{target}")
-    run(work / "tools/bin/python", "-m", "wheel", "tags", "--remove", "--platform-tag", tag, raw)
+    tags = zip(("--python-tag", "--abi-tag", "--platform-tag"), tag.split("-"))
+    run(work / "tools/bin/python", "-m", "wheel", "tags", "--remove", *itertools.chain(*tags), raw)
     (raw,) = raw.parent.glob("*.whl")
     add_licences(raw, work)
 
 
-TARGETS = {"linux-x86_64": (linux, "manylinux_2_28_x86_64"), "linux-aarch64": (linux, "manylinux_2_28_aarch64"),
-           "macos-arm64": (macos, "macosx_11_0_arm64")}
+TARGETS = {"linux-x86_64": (linux, "cp310-abi3-manylinux_2_28_x86_64"), "linux-aarch64": (linux, "cp310-abi3-manylinux_2_28_aarch64"),
+           "macos-arm64": (macos, "cp310-abi3-macosx_11_0_arm64"), "windows-x86_64": (windows, "cp312-abi3-win_amd64")}
+
+
+def check_dlls(wheel: pathlib.Path) -> str:
+    """Return the DLLs that a wheel's files need, or end if Windows and Python 3 do not have one of them."""
+    found = set()
+    with zipfile.ZipFile(wheel) as files, tempfile.TemporaryDirectory() as folder:
+        for name in files.namelist():
+            if name.endswith((".pyd", ".dll", ".exe")):
+                says = run("x86_64-w64-mingw32-objdump", "-p", files.extract(name, folder))
+                found |= {line.split()[-1].lower() for line in says.splitlines() if "DLL Name:" in line}
+    if "python3.dll" not in found or not found <= OF_WINDOWS:
+        sys.exit(f"release_wheel.py: {wheel.name} needs {', '.join(sorted(found))}, and may need {', '.join(sorted(OF_WINDOWS))} alone")
+    return f"{wheel.name} needs {', '.join(sorted(found))}"
 
 
 def glibc_of(tag: str) -> "tuple[int, ...]":
@@ -116,6 +144,8 @@ def check(work: pathlib.Path, checks: pathlib.Path) -> None:
         if "macosx" in wheel.name:
             python = run("scripts/pinned.sh", "python", "zig", cwd=ROOT).strip()
             print(run(python, "scripts/check_macos_wheel.py", wheel, nanobind_in(work) / "darwin-ld-cpython.sym", cwd=ROOT))
+        if "win_amd64" in wheel.name:
+            print(check_dlls(wheel))
         print(run(checks / "abi3audit", "--strict", "--summary", wheel))
         print(run(checks / "check-wheel-contents", "--ignore", "W008", wheel))  # W008: empty files are no fault
         print(f"{wheel.stat().st_size} bytes: {wheel.name}")

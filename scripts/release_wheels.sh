@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# release_wheels.sh FOLDER: puts the wheels for Python on Linux (x86-64, ARM64) and macOS (ARM64), and the source distribution, into
-# FOLDER. scripts/release_wheel.py says how they are made and checked. A target whose compiler is missing is named. Exit code 77 if the
-# packages of PyPI cannot be had.
+# release_wheels.sh FOLDER: puts the wheels for Python on Linux (x86-64, ARM64), macOS (ARM64) and Windows (x86-64), and the source
+# distribution, into FOLDER. scripts/release_wheel.py says how they are made and checked. A target whose compiler or Python is missing is
+# named. Exit code 77 if the packages of PyPI cannot be had.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -19,6 +19,11 @@ for processor in x86_64 aarch64; do
   fi
 done
 work=$PWD/build/wheels
+if scripts/windows_python.sh "$work/python-windows"; then
+  targets+=(windows-x86_64)
+else
+  echo "release_wheels: no wheel for windows-x86_64: Python for Windows cannot be had"
+fi
 python3 scripts/release_wheel.py "$work" "${targets[@]}"
 mkdir -p "$out"
 cp "$work"/shipped/* "$out"

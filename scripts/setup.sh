@@ -31,7 +31,9 @@ case ${1:-} in
     command -v npm >/dev/null || packages+=(nodejs npm)
     ;;
   --python) packages+=(python3-venv python3-dev) ;;
-  --wheels) packages+=(python3-venv python3-dev g++-aarch64-linux-gnu qemu-user libfast-float-dev dpkg-dev) ;;
+  --wheels)
+    packages+=(python3-venv python3-dev g++-aarch64-linux-gnu qemu-user g++-mingw-w64-x86-64-posix maven libfast-float-dev dpkg-dev)
+    ;;
   --compilers)
     for version in g++-12 g++-14 clang-14 clang-19; do
       ! apt-cache show "$version" >/dev/null 2>&1 || packages+=("$version")

@@ -10,10 +10,11 @@ def _check_python() -> None:
     """Raise ImportError unless this Python has the stable ABI for which the compiled part was built."""
     free = " without a GIL" if sysconfig.get_config_var("Py_GIL_DISABLED") else ""
     name = sys.implementation.name
-    if name != "cpython" or sys.version_info < (3, 10) or free:
+    oldest = 12 if sys.platform == "win32" else 10  # nanobind is inside, or in a package of its own
+    if name != "cpython" or sys.version_info < (3, oldest) or free:
         version = ".".join(map(str, sys.version_info[:2]))
         raise ImportError(
-            f"tamis needs CPython 3.10 or newer with a GIL, and {sys.executable} is {name} {version}{free}: "
+            f"tamis needs CPython 3.{oldest} or newer with a GIL, and {sys.executable} is {name} {version}{free}: "
             "use another Python"
         )
 

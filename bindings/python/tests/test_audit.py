@@ -7,7 +7,6 @@ import json
 import pathlib
 import pickle
 import re
-import resource
 import signal
 import struct
 import threading
@@ -277,4 +276,5 @@ def test_frames_for_the_page_are_bounded(tmp_path: pathlib.Path) -> None:
 
 
 def _resident() -> int:
-    return int(pathlib.Path("/proc/self/statm").read_text().split()[1]) * resource.getpagesize()
+    resource = pytest.importorskip("resource")  # Windows does not have it
+    return int(pathlib.Path("/proc/self/statm").read_text().split()[1]) * int(resource.getpagesize())

@@ -13,7 +13,7 @@ work=$(mktemp -d)
 python3 -m venv "$work/env"
 pip=("$work/env/bin/pip" --disable-pip-version-check install "$sdist")
 if "${pip[@]}" >"$work/says.txt" 2>&1; then echo "try_sdist.sh: this worked without Python's headers" >&2; exit 1; fi
-grep -F "has no headers here: install them (Debian: python3-dev)" "$work/says.txt" || { cat "$work/says.txt"; exit 1; }
+tr -s '[:space:]' ' ' <"$work/says.txt" | grep -oE "tamis: [^ ]+ [0-9.]+ has no headers here: install them \(Debian: python3-dev\)" || { cat "$work/says.txt"; exit 1; }
 install python3-dev
 time "${pip[@]}"
 "$work/env/bin/python" examples/hello.py | diff - examples/output/hello.py.txt

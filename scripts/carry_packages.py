@@ -17,8 +17,8 @@ SYSTEM = pathlib.Path("/usr/include")
 # By package of Debian: its licence, and its headers.
 HEADERS = {"libcli11-dev": ("BSD-3-Clause", ["CLI"]), "libfast-float-dev": ("MIT", ["fast_float"]), "libfmt-dev": ("MIT", ["fmt"]),
            "nlohmann-json3-dev": ("MIT", ["nlohmann"]), "libboost-dev": ("BSL-1.0", []), "libxsimd-dev": ("BSD-3-Clause", []),
-           "libeigen3-dev": ("MPL-2.0", [f"Eigen/{part}" for module in ("Cholesky", "Core", "Geometry", "Householder", "Jacobi", "LU", "QR", "SVD")
-                                         for part in (module, f"src/{module}")] + ["Eigen/src/misc", "Eigen/src/plugins"])}
+           "libeigen3-dev": ("MPL-2.0", ["Eigen/src/misc", "Eigen/src/plugins", *(f"Eigen/{folder}{module}" for folder in ("", "src/")
+                                         for module in ("Cholesky", "Core", "Geometry", "Householder", "Jacobi", "LU", "QR", "SVD"))])}
 SOURCES = {"zlib1g-dev": ("Zlib", "zlib", r"(adler32|compress|crc32|deflate|trees|zutil)\.c|(crc32|deflate|gzguts|trees|zconf|zlib|zutil)\.h"),
            "libmeshoptimizer-dev": ("MIT", "meshoptimizer", r"src/(allocator|simplifier)\.cpp|src/meshoptimizer\.h")}
 LICENCES = {package: licence for package, (licence, *_) in {**HEADERS, **SOURCES}.items()}
@@ -64,8 +64,8 @@ def name_licences(source: pathlib.Path) -> None:
     for name, text in licence_texts(LICENCES).items():
         shutil.copyfile(text.resolve(), licences / name)
     project = source / "pyproject.toml"
-    text, found = re.subn(r'^license = "MIT".*\nlicense-files = .*$',
-                          f'license = "{expression(LICENCES)}"\nlicense-files = ["LICENSE", "third_party/licences/*"]', project.read_text(), flags=re.M)
+    named = f'license = "{expression(LICENCES)}"\nlicense-files = ["LICENSE", "third_party/licences/*"]'
+    text, found = re.subn(r'^license = "MIT".*\nlicense-files = .*$', named, project.read_text(), flags=re.M)
     if not found:
         sys.exit("carry_packages.py: pyproject.toml names its licence otherwise than this script expects")
     project.write_text(text)

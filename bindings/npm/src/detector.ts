@@ -22,16 +22,19 @@ const STEP = 32;
 export class Detector extends Questions<Contact, NearPair, Intersection> {
   /** Rows of the positions. */
   readonly vertexCount: number;
-  private readonly places: { start: number; end: number };
+  private places = { start: 0, end: 0 };
 
   /** @internal Tamis.detector makes detectors. */
   constructor(module: Module, mesh: Mesh | MeshInput, options: DetectorOptions) {
     super(module, "detector", { contact, near: nearPair, intersection });
     this.vertexCount = withMesh(module, mesh, (made) => {
-      this.make("detector_create", (given) => [made.placeFor(module), detectorOptions(this.kept, given, options, made.vertexCount)]);
-      return made.vertexCount;
+      const { vertexCount } = made;
+      this.make("detector_create", (given) => {
+        this.places = { start: this.kept.room(24 * vertexCount), end: this.kept.room(24 * vertexCount) };
+        return [made.placeFor(module), detectorOptions(this.kept, given, options, vertexCount)];
+      });
+      return vertexCount;
     });
-    this.places = { start: this.kept.room(24 * this.vertexCount), end: this.kept.room(24 * this.vertexCount) };
   }
 
   /** The positions at t=0, in the module's memory: write into them, then ask without positions. Read them anew after each question. */

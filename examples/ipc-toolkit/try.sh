@@ -15,8 +15,8 @@ cd "$(dirname "$0")/../.."
 
 build=$PWD/build/ipc-toolkit
 mkdir -p "$build"
-# Tar's times are the commit's: the same commit gives the same archive, and is not built anew.
-git archive --format=tar.gz --prefix=tamis/ --output="$build/tamis.tar.gz" HEAD
+archive=$build/tamis-$(git rev-parse --short HEAD).tar.gz  # CPM takes a file of one name for one archive
+git archive --format=tar.gz --prefix=tamis/ --output="$archive" HEAD
 frames=()
 for pair in armadillo-rollers/32{6,7} cloth-funnel/22{7,8} kick/frame_6{2,3}; do
   file=$(realpath -m "${TAMIS_DATA:-../shared/data}/frames/$pair.ply")
@@ -24,7 +24,7 @@ for pair in armadillo-rollers/32{6,7} cloth-funnel/22{7,8} kick/frame_6{2,3}; do
 done
 ((${#frames[@]})) || echo "no recorded steps in ${TAMIS_DATA:-../shared/data}: its own scene alone is tried"
 cmake -S examples/ipc-toolkit -B "$build" -D IPC_TOOLKIT="$checkout" -D IPC_DEPENDENCIES="$dependencies" \
-  -D TAMIS_ARCHIVE="$build/tamis.tar.gz" -D FRAMES="$(IFS=';' && echo "${frames[*]}")" >"$build/configured.txt"
+  -D TAMIS_ARCHIVE="$archive" -D CPM_SOURCE_CACHE="$build/cpm" -D FRAMES="$(IFS=';' && echo "${frames[*]}")" >"$build/configured.txt"
 cmake --build "$build" --target compare --parallel "${TAMIS_JOBS:-$(nproc)}" >"$build/built.txt" || {
   tail -30 "$build/built.txt" >&2
   exit 1

@@ -103,7 +103,7 @@ export class Detector extends Questions<Contact, NearPair, Intersection> {
   private moved(question: string, motion: Motion): [name: string, numbers: Numbered] {
     const [first, second, third] = motion;
     if (!(first instanceof Path)) return [question, (given) => [this.step(given, first, second as Positions, third)]];
-    return [`${question}_on_path`, (given) => [first.placeFor(this.module), pathOptions(given, (second as PathOptions) ?? {})]];
+    return [`${question}_on_path`, (given) => [this.lend(first), pathOptions(given, (second as PathOptions) ?? {})]];
   }
 
   /** Writes the step; returns where it stands. */

@@ -13,7 +13,9 @@ export abstract class Handle {
   /** @internal Memory of the last answer. */
   protected rows: Memory;
   private handle = 0;
-  private isAsked = false;
+  /** How many questions it takes part in now: then it cannot be freed. */
+  private questions = 0;
+  private lent: Handle[] = [];
 
   /** @internal */
   protected constructor(
@@ -68,13 +70,22 @@ export abstract class Handle {
     this.placeFor(this.module);
     const before = this.rows;
     this.rows = new Memory(this.module);
-    this.isAsked = true;
+    ++this.questions;
     try {
       return within(this.module, question);
     } finally {
-      this.isAsked = false;
+      --this.questions;
+      for (const other of this.lent.splice(0)) --other.questions;
       before.free();
     }
+  }
+
+  /** @internal Another handle that takes part in the question being asked. */
+  protected lend(other: Handle): number {
+    const place = other.placeFor(this.module);
+    ++other.questions;
+    this.lent.push(other);
+    return place;
   }
 
   /** @internal An answer of so many rows, which `call` of C takes with its size. */
@@ -96,7 +107,7 @@ export abstract class Handle {
   }
 
   private needRest(): void {
-    need(!this.isAsked, `this ${this.kind} is still answering: wait until its question has returned`, 6);
+    need(this.questions === 0, `this ${this.kind} is still answering: wait until its question has returned`, 6);
   }
 }
 

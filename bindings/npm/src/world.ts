@@ -78,7 +78,7 @@ export class World extends Bodies {
     const count = rowsOf(configurations, linkage.dimension, "configurations", "configuration");
     return this.ask((given) => {
       const place = this.rows.room(count);
-      this.call("world_configurations_are_free", linkage.placeFor(this.module), given.doubles(configurations), count, pathOptions(given, options), place);
+      this.call("world_configurations_are_free", this.lend(linkage), given.doubles(configurations), count, pathOptions(given, options), place);
       return this.rows.viewOfBytes(place, count);
     });
   }
@@ -103,7 +103,7 @@ export class World extends Bodies {
     const count = rowsOf(waypoints, linkage.dimension, "waypoints", "configuration");
     return this.ask((given) => {
       const edge = given.room(4);
-      const asked = [linkage.placeFor(this.module), given.doubles(waypoints), count, ...edgeOptions(given, options), edge];
+      const asked = [this.lend(linkage), given.doubles(waypoints), count, ...edgeOptions(given, options), edge];
       const answer = this.table(edgeAnswer, 1, (place, bytes) => this.call("world_first_bad_edge", ...asked, place, bytes)).at(0);
       return { edge: answer.isFree ? null : given.viewOfIntegers(edge, 1)[0], ...answer };
     });
@@ -117,7 +117,7 @@ export class World extends Bodies {
     return this.ask((given) => {
       const [free, freeEdges] = [this.rows.room(count), this.rows.room(edgeCount)];
       const asked = [given.doubles(configurations), count, given.integers(edges), edgeCount, pathOptions(given, options)];
-      this.call("world_roadmap", linkage.placeFor(this.module), ...asked, free, freeEdges);
+      this.call("world_roadmap", this.lend(linkage), ...asked, free, freeEdges);
       return { configurationsAreFree: this.rows.viewOfBytes(free, count), edgesAreFree: this.rows.viewOfBytes(freeEdges, edgeCount) };
     });
   }
@@ -125,7 +125,7 @@ export class World extends Bodies {
   private edges(given: Memory, linkage: Linkage, starts: Numbers, ends: Numbers, options: EdgeOptions): [numbers: number[], count: number] {
     need(starts.length === ends.length, `starts has ${starts.length} numbers, ends ${ends.length}: give as many`, 9);
     const count = rowsOf(starts, linkage.dimension, "starts", "configuration");
-    return [[linkage.placeFor(this.module), given.doubles(starts), given.doubles(ends), count, ...edgeOptions(given, options)], count];
+    return [[this.lend(linkage), given.doubles(starts), given.doubles(ends), count, ...edgeOptions(given, options)], count];
   }
 }
 

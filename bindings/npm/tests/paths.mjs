@@ -104,6 +104,10 @@ test("functions tell where everything is", () => {
   assert.throws(() => detector.isFree(throwing), /no such time/);
   assert.throws(() => throwing.pointsAt(1), /no such time/);
   assert.equal(detector.isFree(path), false);
+  const leaving = turned(1e-14, () => leaving.free());
+  refuses(() => detector.isFree(leaving), /path is still answering/, 6);
+  assert.equal(leaving.vertexCount, 6);
+  leaving.free();
   const silent = tamis.functionPath({ vertexCount: 6, pointsAt() {}, deviations() {} });
   refuses(() => detector.isFree(silent), /./, 9);
   refuses(() => tamis.functionPath({ vertexCount: -1, pointsAt() {}, deviations() {} }), /./, 9);

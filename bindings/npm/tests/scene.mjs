@@ -17,6 +17,9 @@ export const end = start.map((x, i) => (i === 11 ? -1 : x));
 export const two = (options) => tamis.detector({ faces }, options);
 export const refuses = (f, sentence, status) =>
   assert.throws(f, (error) => error instanceof TamisError && sentence.test(error.message) && error.status === status);
-/** A number is within a bracket, or near another. */
-export const brackets = ({ toiLower, toiUpper }, time) => assert(toiLower <= time && time <= toiUpper && toiUpper - toiLower < 1e-6, `${toiLower} ${toiUpper}`);
-export const near = (a, b, most = 1e-12) => assert(Math.abs(a - b) <= most, `${a} is not ${b}`);
+export function brackets({ toiLower, toiUpper }, time) {
+  assert(toiLower <= time && time <= toiUpper && toiUpper - toiLower < 1e-6, `${time} is not in [${toiLower}, ${toiUpper}]`);
+}
+export function near(a, b, most = 1e-12) {
+  assert(Math.abs(a - b) <= most, `${a} is not ${b}`);
+}

@@ -17,7 +17,8 @@ export const end = start.map((x, i) => (i === 11 ? -1 : x));
 export const two = (options) => tamis.detector({ faces }, options);
 export const refuses = (f, sentence, status) =>
   assert.throws(f, (error) => error instanceof TamisError && sentence.test(error.message) && error.status === status);
-export function brackets({ toiLower, toiUpper }, time) {
+export function brackets(found, time) {
+  const { toiLower, toiUpper } = found;
   assert(toiLower <= time && time <= toiUpper && toiUpper - toiLower < 1e-6, `${time} is not in [${toiLower}, ${toiUpper}]`);
 }
 export function near(a, b, most = 1e-12) {

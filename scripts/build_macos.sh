@@ -12,7 +12,7 @@ build=$PWD/build/macos
 # Wrappers, as CMake wants each tool to be one program.
 mkdir -p "$build/zig"
 for tool in cc c++ ar ranlib; do
-  options="-target aarch64-macos"
+  options="-target aarch64-macos.11.0"
   [[ $tool == c* ]] || options=
   printf '#!/bin/sh\nexec "%s" -m ziglang %s %s "$@"\n' "$python" "$tool" "$options" >"$build/zig/$tool"
   chmod +x "$build/zig/$tool"

@@ -29,6 +29,7 @@ def faults_of(path: pathlib.Path, kind: str, loads: set[str]) -> list[str]:
         "loads": (loaded, loads),
         "position independent": (file.is_pie or kind == "DYLIB", True),
         "signature": (file.has_code_signature, True),
+        "oldest system": (file.build_version.minos[:2], [11, 0]),
     }
     return [f"{path.name}: {what} {is_} instead of {wanted}" for what, (is_, wanted) in found.items() if is_ != wanted]
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # release.sh VERSION [--cheap] [FOLDER]: makes all files of a release from a clean clone of HEAD, in FOLDER (build/release/VERSION):
-# the archive of the sources, Debian packages, an archive for Linux, the DLL for Windows, wheels, crate and npm package; what changed,
+# the archive of the sources, Debian packages, archives for Linux, Windows and macOS, wheels, crate and npm package; what changed,
 # CITATION.cff, a bill of materials, and the SHA-256 of each file. It uploads nothing. The same commit gives the same bytes.
 #   --cheap   only what needs no build: archive, crate, npm package
 # A part whose tools are missing is named at the end. VERSION is that of CMakeLists.txt: scripts/check_version.py.
@@ -33,16 +33,24 @@ packed() {
     gzip -9n >"$out/$1.tar.gz"
 }
 
-linux() {
+debian() {
   scripts/build_debs.sh "$work/debs"
   cp "$work"/debs/*.deb "$out"
-  # The same objects for any folder: libraries find each other, and lib has no name of a processor.
-  cmake --preset debian -D CMAKE_INSTALL_LIBDIR=lib -D CMAKE_SKIP_INSTALL_RPATH=OFF
-  cmake --build --preset debian
-  local folder=$name-linux-$(uname -m)
-  for component in library development licence; do
-    cmake --install build/debian --component $component --prefix "$work/$folder" --strip
-  done
+}
+
+# linux PROCESSOR: library and C interface.
+linux() {
+  local folder=$name-linux-$1
+  python3 scripts/release_archive.py build/wheels "$work/$folder" "$1"
+  packed "$folder"
+}
+
+# c_interface SYSTEM FILE...: the C interface alone, as a C++ library fits one compiler.
+c_interface() {
+  local folder=$name-$1
+  mkdir -p "$work/$folder/include/tamis"
+  cp -P "${@:2}" LICENSE packaging/debian/copyright "$work/$folder"
+  cp -r include/tamis/tamis.h include/tamis/c "$work/$folder/include/tamis"
   packed "$folder"
 }
 
@@ -54,12 +62,12 @@ windows() {
   mkdir -p build
   [[ ! -e $packages/complete ]] || ln -s "$packages" build/windows-packages
   scripts/test_windows.sh --dll
-  local folder=$name-windows-x86_64
-  mkdir -p "$work/$folder/include/tamis"
-  cp build/windows/bin/libtamis_c-*.dll LICENSE packaging/debian/copyright "$work/$folder"
-  find build/windows/bindings/c -maxdepth 1 \( -name '*.dll.a' -o -name '*.lib' \) -exec cp {} "$work/$folder" \;
-  cp -r include/tamis/tamis.h include/tamis/c "$work/$folder/include/tamis"
-  packed "$folder"
+  c_interface windows-x86_64 build/windows/bin/libtamis_c-*.dll build/windows/bindings/c/*.dll.a build/windows/bindings/c/*.lib
+}
+
+macos() {
+  scripts/build_macos.sh
+  c_interface macos-arm64 build/macos/bindings/c/libtamis_c*.dylib
 }
 
 # elsewhere SCRIPT: a part with a script of its own, which writes its files into the folder it is given.
@@ -92,9 +100,16 @@ cp CITATION.cff "$out"
 [[ ! -e $modules ]] || ln -s "$modules" tools/viewer/node_modules
 for part in crate npm; do elsewhere scripts/release_$part.sh; done
 if [[ -z $cheap ]]; then
-  linux
+  debian
   windows
-  elsewhere scripts/release_wheels.sh
+  if ! scripts/pinned.sh python zig >/dev/null; then
+    left_out+=("archives for Linux and macOS, and the wheels: PyPI cannot be reached")
+  else
+    scripts/setup.sh --wheels
+    elsewhere scripts/release_wheels.sh
+    for processor in x86_64 aarch64; do linux $processor; done
+    macos
+  fi
 fi
 python3 scripts/sbom.py "$version" "$commit" "$SOURCE_DATE_EPOCH" "$out"/* >"$work/sbom.json"
 cp "$work/sbom.json" "$out/$name.cdx.json"

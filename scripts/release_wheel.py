@@ -33,6 +33,12 @@ def copy_python(folder: pathlib.Path) -> pathlib.Path:
     return folder
 
 
+def licence_texts(packages: "list[str]") -> "dict[str, pathlib.Path]":
+    """Return the licences of packages, by the names of the files to write."""
+    texts = {f"{package}.txt": pathlib.Path("/usr/share/doc") / package / "copyright" for package in packages}
+    return texts | {f"{name}.txt": pathlib.Path("/usr/share/common-licenses") / name for name in FULL_TEXTS & {LICENCES[p] for p in packages}}
+
+
 def add_licences(wheel: pathlib.Path, work: pathlib.Path) -> None:
     """Pack the licences of what is compiled in into a wheel, and name them in its metadata."""
     python, unpacked = work / "tools/bin/python", work / "unpacked"
@@ -41,9 +47,7 @@ def add_licences(wheel: pathlib.Path, work: pathlib.Path) -> None:
     (root,) = unpacked.iterdir()
     (info,) = root.glob("*.dist-info")
     (nanobind,) = (work / "tools").glob("lib/python*/site-packages/nanobind-*.dist-info/licenses/LICENSE")
-    texts = {f"{package}.txt": pathlib.Path("/usr/share/doc") / package / "copyright" for package in LICENCES}
-    texts |= {f"{name}.txt": pathlib.Path("/usr/share/common-licenses") / name for name in FULL_TEXTS}
-    for name, text in {**texts, "nanobind.txt": nanobind}.items():
+    for name, text in {**licence_texts([*LICENCES]), "nanobind.txt": nanobind}.items():
         shutil.copy(text.resolve(), info / "licenses" / name)
     expression = " AND ".join(["MIT", *sorted({*LICENCES.values()} - {"MIT"})])
     head, _, rest = (info / "METADATA").read_text().partition("\n\n")
@@ -71,11 +75,18 @@ def macos(work: pathlib.Path, target: str) -> "list[str]":
             f"nanobind_DIR={nanobind}"]
 
 
+def prepare(work: pathlib.Path, target: str) -> "list[str]":
+    """Make compilers and static libraries for a target; return definitions for CMake."""
+    system, _ = TARGETS[target]
+    defines = system(work, target)
+    run("scripts/static_packages.sh", work / f"packages-{target}", "--tbb", "--zlib", *(f"-D{each}" for each in defines), cwd=ROOT)
+    return defines
+
+
 def build(work: pathlib.Path, source: pathlib.Path, target: str, checks: pathlib.Path) -> None:
-    system, tag = TARGETS[target]
-    packages, defines = work / f"packages-{target}", system(work, target)
-    run("scripts/static_packages.sh", packages, "--tbb", "--zlib", *(f"-D{each}" for each in defines), cwd=ROOT)
-    python = copy_python(packages / "python")
+    _, tag = TARGETS[target]
+    defines = prepare(work, target)
+    python = copy_python(work / f"packages-{target}" / "python")
     raw = ordinary.compile_wheel(
         work, source, f"raw-{target}",
         [*defines, f"Python_INCLUDE_DIR={python}", "TAMIS_TBB=ON", "CMAKE_UNITY_BUILD_BATCH_SIZE=0"], objects=f"objects-{target}")

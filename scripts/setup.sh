@@ -31,7 +31,7 @@ case ${1:-} in
     command -v npm >/dev/null || packages+=(nodejs npm)
     ;;
   --python) packages+=(python3-venv python3-dev) ;;
-  --wheels) packages+=(python3-venv python3-dev g++-aarch64-linux-gnu dpkg-dev) ;;
+  --wheels) packages+=(python3-venv python3-dev g++-aarch64-linux-gnu qemu-user dpkg-dev) ;;
   --compilers)
     for version in g++-12 g++-14 clang-14 clang-19; do
       ! apt-cache show "$version" >/dev/null 2>&1 || packages+=("$version")

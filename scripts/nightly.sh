@@ -37,11 +37,12 @@ run scripts/test_conan.sh
 run scripts/test_vcpkg.sh
 run scripts/test_crate.sh
 run scripts/test_npm.sh --bundler
+[[ -z ${TAMIS_IPC_TOOLKIT:-} ]] || run examples/ipc-toolkit/try.sh "$TAMIS_IPC_TOOLKIT" "${TAMIS_IPC_DEPENDENCIES:-}"
 version=$(sed -n 's/^project(tamis VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)
 run scripts/release.sh "$version" build/release/nightly
 run scripts/python_versions.sh build/release/nightly/*manylinux*x86_64.whl python3
 run scripts/test_arm64_wheel.sh build/release/nightly/*manylinux*aarch64.whl build/release/nightly/*manylinux*x86_64.whl
-run scripts/test_windows_wheel.sh build/release/nightly/*win_amd64.whl "$(ls build/python-versions/*/bin/python | head -1)"
+run scripts/test_windows_wheel.sh build/release/nightly/*win_amd64.whl "$(ls build/python-versions/*-"$(uname -m)"/bin/python | head -n 1)"
 run scripts/refused_wheels.sh build/release/nightly/*manylinux*x86_64.whl
 for release in trixie bookworm; do
   run env TAMIS_DATA="$PWD/build/release/nightly" scripts/try_in_root.sh --data "$release" scripts/try_release.sh ../shared/data

@@ -2,7 +2,6 @@
 # compiler. find_package takes them, whatever the system has. The parts of zlib and meshoptimizer that Tamis calls are compiled.
 set(third_party ${PROJECT_SOURCE_DIR}/third_party)
 set(Boost_INCLUDE_DIR ${third_party} CACHE PATH "" FORCE)
-add_compile_definitions(BOOST_DISABLE_CURRENT_LOCATION)  # else its exceptions name the folder, and each has other bytes
 set(xsimd_DIR ${third_party} CACHE PATH "" FORCE)
 set(CMAKE_FIND_PACKAGE_PREFER_CONFIG ON)  # else CMake's own file for zlib finds the system's
 

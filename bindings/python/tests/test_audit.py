@@ -162,6 +162,8 @@ def test_what_was_done_is_not_lost() -> None:
 
 
 def test_control_c_ends_it() -> None:
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # also where the parent ignores it
+
     def endless() -> Iterator[npt.NDArray[np.float64]]:
         while True:
             yield START

@@ -11,5 +11,7 @@ find_package_handle_standard_args(BoostHeaders REQUIRED_VARS Boost_INCLUDE_DIR V
 
 if(BoostHeaders_FOUND AND NOT TARGET Boost::headers)
   add_library(Boost::headers INTERFACE IMPORTED)
-  set_target_properties(Boost::headers PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${Boost_INCLUDE_DIR}")
+  # Else Boost's exceptions name the folder of its headers, and the same sources give other bytes in another folder.
+  set_target_properties(Boost::headers PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${Boost_INCLUDE_DIR}"
+    INTERFACE_COMPILE_DEFINITIONS BOOST_DISABLE_CURRENT_LOCATION)
 endif()

@@ -10,6 +10,7 @@ set(CMAKE_CXX_COMPILER ${TAMIS_PROCESSOR}-linux-gnu-g++)
 set(CMAKE_STRIP ${TAMIS_PROCESSOR}-linux-gnu-strip)
 list(APPEND CMAKE_PREFIX_PATH ${TAMIS_PACKAGES})  # after the packages of the Python that builds
 set(CMAKE_FIND_LIBRARY_SUFFIXES .a .so)
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-B${TAMIS_OLD_GLIBC} -L${TAMIS_OLD_GLIBC} -Wl,--exclude-libs,ALL")
+# Without local symbols (-s), which differ from folder to folder, a build identity is the same in each.
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-B${TAMIS_OLD_GLIBC} -L${TAMIS_OLD_GLIBC} -Wl,--exclude-libs,ALL -s")
 set(CMAKE_SHARED_LINKER_FLAGS_INIT "${CMAKE_EXE_LINKER_FLAGS_INIT}")
 set(CMAKE_MODULE_LINKER_FLAGS_INIT "${CMAKE_EXE_LINKER_FLAGS_INIT}")

@@ -13,7 +13,7 @@ PAGES = {
     "docs/cpp.md": ["before_step_one.cpp", "near.cpp", "response.cpp", "line_search.cpp", "simulation_loop.cpp", "objects.cpp",
                     "at_start.cpp"],
     "docs/plane.md": ["plane.cpp"],
-    "bindings/npm/README.md": ["hello.mjs"],
+    "bindings/npm/README.md": ["hello.mjs", "bodies.mjs", "curve.mjs"],
     "docs/worlds.md": ["world.cpp", "bodies.cpp", "static_bodies.cpp", "edges.py"],
     "docs/planners.md": ["plan.py"],
 }

@@ -68,6 +68,20 @@ def c_questions(owner: str) -> set[str]:
     return {name for name in found if owned[name] == owner and not NOT_QUESTIONS_IN_C.search(name)}
 
 
+def js_questions(*classes: str) -> set[str]:
+    """Return the questions of classes of the package of npm, each given as file:Class."""
+    found: set[str] = set()
+    for place, owner in (each.split(":") for each in classes):
+        source = text(f"bindings/npm/src/{place}.ts")
+        body = re.search(rf"^export (?:abstract )?class {owner} .*?^}}", source, re.DOTALL | re.MULTILINE)[0]
+        found |= set(re.findall(r"^  (?!constructor)(\w+)\(", body, re.MULTILINE))
+    return {name for name in found if snake_case(name) not in NOT_QUESTIONS}
+
+
+def snake_case(name: str) -> str:
+    return re.sub(r"([A-Z])", lambda found: f"_{found[0].lower()}", name)
+
+
 def verbs() -> set[str]:
     sources = "".join(source.read_text() for source in (ROOT / "tools/command/verbs").rglob("*.?pp"))
     return set(re.findall(r'name\(\) const override \{ return "([\w-]+)"', sources)) - NOT_QUESTIONS
@@ -95,6 +109,7 @@ def questions() -> dict[str, list[set[str]]]:
             methods("include/tamis/detector.hpp", "Detector"),
             python_questions("Detector", "_detector/*.py"),
             c_questions("detector"),
+            js_questions("detector:Detector"),
             command - {"bodies"},
             methods("distributed/include/tamis/distributed.hpp", "Detector"),
         ],
@@ -102,9 +117,10 @@ def questions() -> dict[str, list[set[str]]]:
             methods("include/tamis/world.hpp", "World"),
             python_questions("World", "_world/*.py"),
             c_questions("world"),
+            js_questions("bodies:Bodies", "world:World"),
             command & {"bodies"},
         ],
-        "A pair, or a list of pairs": [of_pairs, of_pairs & set(ast.literal_eval(exported)), c_questions("")],
+        "A pair, or a list of pairs": [of_pairs, of_pairs & set(ast.literal_eval(exported)), c_questions(""), js_questions("pairs:Pairs", "path:Path") - {"pointsAt"}],
     }
 
 

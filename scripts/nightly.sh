@@ -37,6 +37,7 @@ run scripts/test_conan.sh
 run scripts/test_vcpkg.sh
 run scripts/test_crate.sh
 run scripts/test_npm.sh --bundler
+[[ -z ${TAMIS_IPC_TOOLKIT:-} ]] || run examples/ipc-toolkit/try.sh "$TAMIS_IPC_TOOLKIT" "${TAMIS_IPC_DEPENDENCIES:-}"
 run scripts/release.sh "$(sed -n 's/^project(tamis VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)" build/release/nightly
 run scripts/python_versions.sh build/release/nightly/*manylinux*x86_64.whl python3
 run scripts/test_windows_wheel.sh build/release/nightly/*win_amd64.whl "$(ls build/python-versions/*/bin/python | head -1)"

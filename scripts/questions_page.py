@@ -21,7 +21,7 @@ def names(cell: str) -> list[str]:
 
 def plain(name: str) -> str:
     """Return the name that a question or option has in every door: `is_free` for `tamis_detector_is_free`."""
-    return re.sub(r"^(tamis_((detector|world|pair)_)?|--)", "", name).replace("-", "_")
+    return doors.snake_case(re.sub(r"^(tamis_((detector|world|pair)_)?|--)", "", name)).replace("-", "_")
 
 
 def fitting(row: list[str], offered: set[str]) -> list[str]:

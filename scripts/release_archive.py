@@ -19,7 +19,8 @@ NEWEST = (2, 28)
 INSIDE = ["libtbb-dev", "libxsimd-dev"]
 OWN = re.compile(r"\w* *\w (typeinfo (name )?for |vtable for |VTT for |non-virtual thunk to )?(tamis(::|_)|TAMIS_)")
 SETTINGS = ["CMAKE_BUILD_TYPE=Release", "BUILD_SHARED_LIBS=ON", "TAMIS_TBB=ON", "TAMIS_BUILD_TOOLS=OFF", "TAMIS_BUILD_LAB=OFF",
-            "TAMIS_BUILD_TESTS=OFF", "CMAKE_UNITY_BUILD_BATCH_SIZE=0", "CMAKE_INSTALL_LIBDIR=lib"]
+            "TAMIS_BUILD_TESTS=OFF", "CMAKE_UNITY_BUILD_BATCH_SIZE=0", "CMAKE_INSTALL_LIBDIR=lib",
+            "CMAKE_BUILD_RPATH_USE_ORIGIN=ON"]  # a build's identity has no name of its folder
 
 
 def install(work: pathlib.Path, folder: pathlib.Path, processor: str) -> None:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # test_npm.sh [--bundler]: packs the package of npm, installs the file into an empty project without a network, and runs there the
-# README's example and the package's tests; TypeScript checks a program that uses it. --bundler: also a project that Vite bundles,
+# README's examples and the package's tests; TypeScript checks a program that uses it. --bundler: also a project that Vite bundles,
 # whose page Chromium opens, with the worker of examples/worker; Vite is npm's. Exits with 77 where something cannot be had.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -15,9 +15,9 @@ install() { npm install --silent --no-audit --no-fund "$@"; }
 cd "$work/user"
 echo '{"private": true, "type": "module"}' >package.json
 install --offline "$file"
-cp ../../../bindings/npm/tests/package_test.mjs node_modules/tamis/examples/hello.mjs .
-node hello.mjs | diff ../../../examples/output/hello.mjs.txt -
-node --test package_test.mjs
+cp ../../../bindings/npm/tests/{package_test,scene,detectors,paths,worlds,planners,pairs}.mjs node_modules/tamis/examples/*.mjs .
+for example in hello bodies curve; do node $example.mjs | diff "../../../examples/output/$example.mjs.txt" -; done
+TAMIS_HEADERS=../../../include/tamis/c node --test package_test.mjs
 # A program that TypeScript accepts, but for what it says is wrong.
 cp ../../../bindings/npm/tests/types.ts .
 node ../../../tools/viewer/node_modules/typescript/bin/tsc --noEmit --strict --target es2022 --lib es2022,esnext.disposable,dom \

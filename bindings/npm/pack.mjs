@@ -40,7 +40,7 @@ export async function createModule() {
 `,
 );
 for (const name of ["package.json", "README.md", "examples"]) cpSync(join(here, name), join(folder, name), { recursive: true });
-cpSync(join(root, "examples/hello.mjs"), join(folder, "examples/hello.mjs"));
+for (const name of ["hello.mjs", "bodies.mjs", "curve.mjs"]) cpSync(join(root, "examples", name), join(folder, "examples", name));
 cpSync(join(here, "src/module.d.ts"), join(folder, "module.d.ts"));
 cpSync(join(root, "LICENSE"), join(folder, "LICENSE"));
 cpSync(join(root, "packaging/debian/copyright"), join(folder, "LICENCES"));

@@ -1,82 +1,31 @@
-// compare [START.obj END.obj]: one step through ipc-toolkit, with its own phases and with Tamis in their place. Fails
+// compare [START.ply END.ply]: one step through ipc-toolkit, with its own phases and with Tamis in their place. Fails
 // unless the steps are free by Tamis, and the candidates of Tamis are those of ipc-toolkit that touch. Without files: a
 // sheet that falls onto another one.
 #include <igl/edges.h>
 #include <tbb/global_control.h>
 
 #include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <functional>
 #include <ipc/broad_phase/lbvh.hpp>
 #include <ipc/candidates/candidates.hpp>
 #include <ipc/ccd/additive_ccd.hpp>
 #include <ipc/ccd/tight_inclusion_ccd.hpp>
+#include <ipc/ipc.hpp>
 #include <set>
-#include <sstream>
 #include <tamis/from_matrix.hpp>
 #include <tamis/pair.hpp>
 
+#include "scene.hpp"
 #include "tamis_broad_phase.hpp"
 #include "tamis_ccd.hpp"
 
 namespace {
 
-struct Scene {
-  Eigen::MatrixXd start, end;
-  Eigen::MatrixXi faces, edges;
-};
-
-void fail(const std::string& why) {
-  std::fprintf(stderr, "compare: %s\n", why.c_str());
-  std::exit(1);
-}
-
 double seconds(const std::function<void()>& work) {
   const auto before = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
-}
-
-/// Two sheets of n x n vertices; the upper one, a wave, falls through the lower one.
-Scene sheets(int n) {
-  Scene scene;
-  scene.start.resize(2 * n * n, 3);
-  scene.faces.resize(4 * (n - 1) * (n - 1), 3);
-  int face = 0;
-  for (int sheet = 0; sheet < 2; ++sheet)
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) {
-        const int v = (sheet * n + i) * n + j;
-        const double x = double(i) / n + 0.003 * sheet, y = double(j) / n + 0.002 * sheet;
-        scene.start.row(v) << x, y, sheet * (0.1 + 0.02 * std::sin(20 * x) * std::sin(17 * y));
-        if (i + 1 == n || j + 1 == n) continue;
-        scene.faces.row(face++) << v, v + n, v + 1;
-        scene.faces.row(face++) << v + 1, v + n, v + n + 1;
-      }
-  scene.end = scene.start;
-  scene.end.bottomRows(n * n).col(2).array() -= 0.2;
-  return scene;
-}
-
-Eigen::MatrixXd read_obj(const char* name, Eigen::MatrixXi& faces) {
-  std::vector<Eigen::RowVector3d> vertices;
-  std::vector<Eigen::RowVector3i> triangles;
-  std::ifstream file(name);
-  if (!file) fail(std::string(name) + " cannot be read: give two OBJ files of triangles");
-  for (std::string line, key; std::getline(file, line);) {
-    std::istringstream words(line);
-    Eigen::RowVector3d p;
-    Eigen::RowVector3i f;
-    if (line.rfind("v ", 0) == 0 && words >> key >> p[0] >> p[1] >> p[2]) vertices.push_back(p);
-    if (line.rfind("f ", 0) == 0 && words >> key >> f[0] >> f[1] >> f[2]) triangles.emplace_back(f.array() - 1);
-  }
-  faces.resize(static_cast<int>(triangles.size()), 3);
-  for (int i = 0; i < faces.rows(); ++i) faces.row(i) = triangles[static_cast<std::size_t>(i)];
-  Eigen::MatrixXd positions(static_cast<int>(vertices.size()), 3);
-  for (int i = 0; i < positions.rows(); ++i) positions.row(i) = vertices[static_cast<std::size_t>(i)];
-  return positions;
 }
 
 /// The pairs of all candidates, as a list for Tamis.
@@ -117,6 +66,19 @@ void check_candidates(const ipc::Candidates& all, const ipc::Candidates& touchin
     fail("ipc-toolkit has " + std::to_string(touch) + " pairs that touch, Tamis " + std::to_string(found.size()));
 }
 
+/// Both find the same about the step's ends.
+void check_intersections(const ipc::CollisionMesh& mesh, const Scene& scene, ipc::BroadPhase& own,
+                         ipc::TamisBroadPhase& tamis_broad) {
+  for (const auto& [name, pose] : {std::pair("start", scene.start), std::pair("end", scene.end)}) {
+    bool expected = false, found = false;
+    const double by_own = seconds([&] { expected = ipc::has_intersections(mesh, pose, &own); });
+    const double by_tamis = seconds([&] { found = ipc::has_intersections(mesh, pose, &tamis_broad); });
+    if (expected != found) fail(std::string("has_intersections of the ") + name + " depends on the broad phase");
+    std::printf("has_intersections, %-5s: %s, in %.2f ms by LBVH, %.2f ms by Tamis\n", name, found ? "yes" : "no",
+                1e3 * by_own, 1e3 * by_tamis);
+  }
+}
+
 /// What a list gains over one call a pair: the same answers, bit for bit.
 void compare_batch(const ipc::Candidates& candidates, const Scene& scene) {
   const auto start = tamis::points_of(scene.start), end = tamis::points_of(scene.end);
@@ -145,8 +107,7 @@ void compare_batch(const ipc::Candidates& candidates, const Scene& scene) {
 
 int main(int count, char** names) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  Scene scene = count == 3 ? Scene() : sheets(40);
-  if (count == 3) scene.start = read_obj(names[1], scene.faces), scene.end = read_obj(names[2], scene.faces);
+  Scene scene = count == 3 ? step_between(names[1], names[2]) : sheets(40);
   igl::edges(scene.faces, scene.edges);
   const ipc::CollisionMesh mesh(scene.start, scene.edges, scene.faces);
 
@@ -182,5 +143,6 @@ int main(int count, char** names) {
   }
   const auto all = candidates_by(lbvh, mesh, scene), touching = candidates_by(tamis_broad, mesh, scene);
   check_candidates(all, touching, scene);
+  check_intersections(mesh, scene, lbvh, tamis_broad);
   compare_batch(all, scene);
 }

@@ -1,5 +1,6 @@
 # What ipc-toolkit would download, from checkouts in IPC_DEPENDENCIES and from the system: its recipes skip targets that exist.
-# Its optional packages are off: xsimd, robin-map, abseil and filib only make it faster.
+# Its optional packages are off: xsimd, robin-map, abseil and filib only make it faster. CPM, too, is a checkout.
+list(PREPEND CMAKE_MODULE_PATH ${IPC_DEPENDENCIES}/cpm/cmake)
 foreach(option SIMD ROBIN_MAP ABSEIL FILIB)
   set(IPC_TOOLKIT_WITH_${option} OFF CACHE BOOL "" FORCE)
 endforeach()

@@ -2,13 +2,14 @@ import type { Memory } from "./memory.js";
 
 /** A vertex and a face, two edges, a vertex and an edge, or two vertices. */
 export type Kind = "vertex-face" | "edge-edge" | "vertex-edge" | "vertex-vertex";
-const KINDS: readonly Kind[] = ["vertex-face", "edge-edge", "vertex-edge", "vertex-vertex"];
+export const KINDS: readonly Kind[] = ["vertex-face", "edge-edge", "vertex-edge", "vertex-vertex"];
+/** How many vertices a pair of each kind has. */
+export const VERTICES = [4, 4, 3, 2];
 
-/** One pair of features that touches during the step. Arrays are views: copy what is to outlive the next question. */
-export interface Contact {
-  kind: Kind;
-  /** Of the first feature, then of the second. */
-  vertices: Int32Array;
+/** When and where a pair touches. Arrays are views: copy what is to outlive the next question. */
+export interface Touch {
+  /** False, only on curves: arithmetic could not decide, so the pair is kept. */
+  certified: boolean;
   /** A fraction of the step: the pair is apart before. Proven. */
   toiLower: number;
   /** It touches at this time or before. */
@@ -18,6 +19,19 @@ export interface Contact {
   v: number;
   /** Unit vector. To part the features, move the first one along it, or the second one against it. */
   normal: Float64Array;
+}
+
+/** One pair of features that touches during the step. */
+export interface Contact extends Touch {
+  kind: Kind;
+  /** Of the first feature, then of the second. */
+  vertices: Int32Array;
+}
+
+/** Whether a listed pair touches. If it does not, the rest has no meaning. */
+export interface PairResult extends Touch {
+  /** False: proven free. */
+  touches: boolean;
 }
 
 /** Two features that are near each other at the step's start. */
@@ -43,8 +57,42 @@ export interface Intersection {
   v: number;
 }
 
-/** The rows of an answer, in the module's memory: nothing is copied. The next question with the detector ends them. */
+/** In a world: the body of the first feature, then of the second. Vertices are numbered in the bodies' own meshes. */
+export interface OfBodies {
+  bodies: Int32Array;
+}
+
+/** The first contact. The motion is free before `toiLower`: proven. Without a contact both times are 1. */
+export interface Earliest<Contact> {
+  toiLower: number;
+  toiUpper: number;
+  contact: Contact | null;
+}
+
+/** How far all may go: every pair keeps its fraction until `toiLower`. The pair ends it; null: the whole step may go. */
+export interface SafeStep<Pair> {
+  toiLower: number;
+  toiUpper: number;
+  pair: Pair | null;
+}
+
+/** How far an edge between configurations is free. */
+export interface EdgeAnswer {
+  isFree: boolean;
+  /** The edge is free before this fraction: proven. 0 if its start overlaps. */
+  fraction: number;
+  fractionUpper: number;
+  overlapsAtStart: boolean;
+  /** Which touch or overlap first; -1 if the edge is free. */
+  bodies: Int32Array;
+  /** Where the contact is, in the world's frame. */
+  point: Float64Array | null;
+  contact: (Contact & OfBodies) | null;
+}
+
+/** The rows of an answer, in the module's memory: nothing is copied. The next question to its owner ends them. */
 export class Rows<Row> implements Iterable<Row> {
+  /** @internal */
   constructor(
     /** How many rows there are. */
     readonly length: number,
@@ -67,42 +115,8 @@ export class Rows<Row> implements Iterable<Row> {
   }
 }
 
-/** Of a contact, a near pair, an intersection: how many bytes it has, and how it is read. */
+/** Of a struct of C: how many bytes it has, and how it is read. */
 export interface Layout<Row> {
   bytes: number;
   read(memory: Memory, place: number): Row;
 }
-
-/** Entries that a kind does not use are -1. */
-const used = (vertices: Int32Array) => vertices.subarray(0, vertices.indexOf(-1) < 0 ? 4 : vertices.indexOf(-1));
-
-export const contact: Layout<Contact> = {
-  bytes: 88,
-  read(memory, place) {
-    const [kind, , ...vertices] = memory.viewOfIntegers(place, 6);
-    const numbers = memory.viewOfDoubles(place + 24, 7);
-    return {
-      kind: KINDS[kind], vertices: used(memory.viewOfIntegers(place + 8, vertices.length)), toiLower: numbers[0], toiUpper: numbers[1],
-      u: numbers[2], v: numbers[3], normal: numbers.subarray(4),
-    };
-  },
-};
-
-export const nearPair: Layout<NearPair> = {
-  bytes: 80,
-  read(memory, place) {
-    const numbers = memory.viewOfDoubles(place + 24, 6);
-    return {
-      kind: KINDS[memory.viewOfIntegers(place, 1)[0]], vertices: used(memory.viewOfIntegers(place + 4, 4)), distance: numbers[0],
-      u: numbers[1], v: numbers[2], direction: numbers.subarray(3),
-    };
-  },
-};
-
-export const intersection: Layout<Intersection> = {
-  bytes: 64,
-  read(memory, place) {
-    const [sLower, sUpper, u, v] = memory.viewOfDoubles(place + 24, 4);
-    return { edge: memory.viewOfIntegers(place, 2), face: memory.viewOfIntegers(place + 8, 3), sLower, sUpper, u, v };
-  },
-};

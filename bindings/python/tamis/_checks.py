@@ -104,7 +104,7 @@ def instance(given: Any, kind: type[_Kind], name: str, advice: str, error: type[
 
 def file_name(given: Any, name: str) -> str:
     """Return the name of a file as text: not empty, no zero byte, encodable by the system."""
-    broken = "strict" if os.name == "nt" else "surrogateescape"  # names for Windows are text, without bytes that are none
+    broken = "strict" if os.name == "nt" else "surrogateescape"  # on Windows names are text
     try:
         result = os.fsdecode(given)
         if "\0" not in result and result.encode(sys.getfilesystemencoding(), broken):

@@ -40,6 +40,6 @@ says "InvalidMesh: face 0 names vertex -2" windows "$python/python.exe" -c "impo
 for old in 3.11 3.10; do
   says "is not a supported wheel on this platform" windows "${pip[@]}" --target "$work/old" --only-binary :all: --python-version $old "$wheel"
 done
-windows "${pip[@]}" pytest hypothesis 'pandas<3' 'matplotlib<3.11' 'contourpy<1.4'
+windows "${pip[@]}" pytest hypothesis 'pandas<3' 'matplotlib<3.11' 'contourpy<1.4' pygltflib usd-core
 windows "$python/python.exe" -m tamis.examples.cloth --help
 windows "$python/python.exe" -m pytest

@@ -5,6 +5,7 @@ from __future__ import annotations
 import operator
 import os
 import reprlib
+import sys
 from collections.abc import Callable
 from typing import Any, TypeVar
 
@@ -103,9 +104,10 @@ def instance(given: Any, kind: type[_Kind], name: str, advice: str, error: type[
 
 def file_name(given: Any, name: str) -> str:
     """Return the name of a file as text: not empty, no zero byte, encodable by the system."""
+    broken = "strict" if os.name == "nt" else "surrogateescape"  # on Windows names are text
     try:
         result = os.fsdecode(given)
-        if "\0" not in result and os.fsencode(result):
+        if "\0" not in result and result.encode(sys.getfilesystemencoding(), broken):
             return result
     except (TypeError, ValueError):
         pass

@@ -177,7 +177,7 @@ def test_a_mask_is_not_lost(falling: tamis.Scene) -> None:
 
 INEXACT: dict[str, Callable[[Any], Any]] = {
     "an integer": lambda rows: np.where(rows == 0, 2**53 + 1, 1).astype(np.int64),
-    "an unsigned integer": lambda rows: np.where(rows == 0, 2**64 - 1, 1).astype(np.uint64),
+    "an unsigned integer": lambda rows: np.where(rows == 0, np.uint64(2**64 - 1), np.uint64(1)),
     "more digits": lambda rows: rows + np.longdouble(1) / 3,
     "an integer of Python": lambda rows: [[2**53 + 1, 0.5, 0]] * len(rows),
     "beyond doubles": lambda rows: rows + np.longdouble(10) ** 400,

@@ -6,6 +6,7 @@ import sys
 
 import lief
 
+import apple_local
 from check_c_symbols import declared_in
 
 lief.logging.disable()  # it warns of what it does not read
@@ -29,7 +30,9 @@ def faults_of(path: pathlib.Path, kind: str, loads: set[str]) -> list[str]:
         "loads": (loaded, loads),
         "position independent": (file.is_pie or kind == "DYLIB", True),
         "signature": (file.has_code_signature, True),
-        "oldest system": (file.build_version.minos[:2], [11, 0]),
+        "oldest system": (file.build_version.minos, [11, 0, 0]),
+        "pages with another signature": (apple_local.unsigned(path.read_bytes()), []),
+        "own weak symbols": (apple_local.is_local(path.read_bytes()), True),
     }
     return [f"{path.name}: {what} {is_} instead of {wanted}" for what, (is_, wanted) in found.items() if is_ != wanted]
 

@@ -6,21 +6,10 @@ import sys
 import tempfile
 import zipfile
 
-import apple_local
 from check_macos import faults_of, read
 
 SYSTEM = {"/usr/lib/libSystem.B.dylib", "/usr/lib/libc++abi.dylib"}
 FROM_PYTHON = -2  # looked up in all that is loaded
-
-
-def more_faults(path: pathlib.Path) -> "list[str]":
-    file, data = read(path), path.read_bytes()
-    found = {
-        "oldest system": (file.build_version.minos, [11, 0, 0]),
-        "pages with another signature": (apple_local.unsigned(data), []),
-        "own weak symbols": (apple_local.is_local(data), True),
-    }
-    return [f"{path.name}: {what}: {is_} instead of {wanted}" for what, (is_, wanted) in found.items() if is_ != wanted]
 
 
 def main() -> int:
@@ -29,7 +18,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder, zipfile.ZipFile(wheel) as archive:
         archive.extractall(folder)
         module, command = pathlib.Path(folder) / "tamis/_core.abi3.so", pathlib.Path(folder) / "tamis/command/bin/tamis"
-        faults = faults_of(module, "DYLIB", SYSTEM) + faults_of(command, "EXECUTE", SYSTEM) + more_faults(module) + more_faults(command)
+        faults = faults_of(module, "DYLIB", SYSTEM) + faults_of(command, "EXECUTE", SYSTEM)
         file = read(module)  # names of a temporary file would be gone
         asked = {binding.symbol.name for binding in file.bindings if binding.library_ordinal == FROM_PYTHON}
         starts = "_PyInit__core" in {symbol.name for symbol in file.exported_symbols}

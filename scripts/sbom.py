@@ -15,7 +15,7 @@ import uuid
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # What shipped binaries contain or link, and the package of Debian that says its version.
 INSIDE = {"oneTBB": "libtbb-dev", "Boost.Multiprecision": "libboost-dev", "xsimd": "libxsimd-dev", "CLI11": "libcli11-dev",
-          "fmt": "libfmt-dev", "nlohmann-json": "nlohmann-json3-dev", "Eigen": "libeigen3-dev",
+          "fast_float": "libfast-float-dev", "fmt": "libfmt-dev", "nlohmann-json": "nlohmann-json3-dev", "Eigen": "libeigen3-dev",
           "meshoptimizer": "libmeshoptimizer-dev", "zlib": "zlib1g-dev", "three.js": None}
 ROW = re.compile(r"^\| \[([^\]]+)\]\(([^)]+)\) \| .* \| ([\w.-]+) \|$", re.MULTILINE)
 

@@ -26,7 +26,7 @@ case ${1:-} in
   --core-tests) packages+=(libgtest-dev libgmp-dev python3 binutils git) ;;
   --all-tests)
     packages+=(libopenmpi-dev openmpi-bin libgtest-dev libgmp-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev
-               libbullet-dev libompl-dev liburdfdom-dev binutils valgrind "${clang[@]}" git debootstrap chromium)
+               libbullet-dev libompl-dev liburdfdom-dev libfast-float-dev binutils valgrind "${clang[@]}" git debootstrap chromium)
     # Node from elsewhere than Debian has an npm of its own, and conflicts with Debian's.
     command -v npm >/dev/null || packages+=(nodejs npm)
     ;;

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """apple_local.py FILE: makes a program for macOS, linked by zig, use its own copy of each weak symbol, and signs it again (ad hoc).
 
-zig asks the loader to take weak symbols, hidden ones, too, from any library of the process that has them. So numbers of locale's
+zig makes the loader take weak symbols, hidden ones, too, from any library of the process that has them. So numbers of locale's
 facets would come from the system's C++ library, and the facets from zig's. Each place has its own copy's address already: without
-the request it stays. `unsigned` lists the pages whose hash is not that of the signature.
+the request it stays. `unsigned` lists the pages whose hash differs from the signature's.
 """
 
 import hashlib
@@ -50,7 +50,7 @@ def unsigned(data: bytes) -> "list[int]":
 
 
 def is_local(data: bytes) -> bool:
-    """Return whether the file asks for no weak symbol of others, and offers none."""
+    """Return whether the file takes no weak symbol of others, and offers none."""
     (flags,), (weak,) = struct.unpack_from("<I", data, FLAGS), struct.unpack_from("<I", data, commands(data)[DYLD_INFO] + 28)
     return not flags & (WEAK_DEFINES | BINDS_TO_WEAK) and weak == 0
 

@@ -47,7 +47,7 @@ def main() -> int:
     for tool, command in {"cc": f"cc -target {TARGET}", "ar": "ar", "ranlib": "ranlib"}.items():
         write_tool(folder / tool, f'exec {shlex.join(zig)} {command} "$@"')
     write_tool(folder / "strip", "exit 0")  # the linker does it
-    # For a module of Python nanobind gives a list of the names that Python has, and asks for a bundle: zig knows neither.
+    # For a module of Python nanobind gives a list of the names that Python has, and links a bundle: zig knows neither.
     write_tool(folder / "c++", f'''case " $* " in
 *" -c "*) exec {shlex.join(zig)} c++ -target {TARGET} "$@" ;;
 esac

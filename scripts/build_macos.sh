@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # build_macos.sh: builds the library, without oneTBB, and the C interface for macOS on 64-bit ARM, by zig from PyPI, and checks the
-# files: what they are, what they load, which symbols they export. Nothing is run: there is no Mac here. Exit code 77 if zig
+# files: their kind, the libraries they load, the symbols they export. Nothing is run, as no Mac is here. Exit code 77 if zig
 # cannot be had.
 set -euo pipefail
 cd "$(dirname "$0")/.."

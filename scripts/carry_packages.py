@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""carry_packages.py SOURCE: puts into SOURCE, Python's unpacked source distribution, what it needs besides a compiler.
+"""carry_packages.py SOURCE: puts into SOURCE, Python's unpacked source distribution, the packages it needs besides a compiler.
 
 That are the headers and sources of other packages, in SOURCE/third_party, where cmake/carried.cmake finds them, and their
 licences, which the metadata then name. Headers are this machine's, sources come from Debian.

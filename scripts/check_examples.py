@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """check_examples.py [--fix]: compares the programs in pages, and what pages say they print, with examples/ and its output.
 
---fix writes the files into the pages. A page names its programs here in the order in which they stand there."""
+--fix writes the files into the pages. A page names its programs here in their order."""
 import pathlib
 import re
 import sys

@@ -2,7 +2,7 @@
 # nightly.sh: runs all tests, and checks that take too long for every day: each source compiled by itself, clang-tidy over
 # all sources, the core tests without oneTBB, both commands of the README and four compilers on new roots of both Debians,
 # packages, release and its wheel, the newest hosts, both sanitizers, the core tests on 64-bit ARM, Windows and in WebAssembly, a build for macOS, an hour of
-# attacks and 50 minutes of fuzzing. Takes some seven hours on two cores. Goes on after a failure, and names the failures at the end.
+# attacks and 50 minutes of fuzzing. Takes some seven hours on two cores. A failure ends nothing: all failures are named at the end.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 

@@ -3,7 +3,7 @@
 # the archive of the sources, Debian packages, archives for Linux, Windows and macOS, wheels, crate and npm package; what changed,
 # CITATION.cff, a bill of materials, and the SHA-256 of each file. It uploads nothing. The same commit gives the same bytes.
 #   --cheap   only what needs no build: archive, crate, npm package
-# A part whose tools are missing is named at the end. VERSION is that of CMakeLists.txt: scripts/check_version.py.
+# A part whose tools are missing is named at the end. VERSION stands in CMakeLists.txt: scripts/check_version.py.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -107,6 +107,9 @@ if [[ -z $cheap ]]; then
   else
     scripts/setup.sh --wheels
     elsewhere scripts/release_wheels.sh
+    for system in manylinux_2_28_x86_64 manylinux_2_28_aarch64 macosx_11_0_arm64 win_amd64; do
+      compgen -G "$out/*-$system.whl" >/dev/null || left_out+=("the wheel for $system: release_wheels.sh said above what is missing")
+    done
     for processor in x86_64 aarch64; do linux $processor; done
     macos
   fi

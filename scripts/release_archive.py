@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""release_archive.py WORK FOLDER PROCESSOR: installs what a release's archive for Linux has into FOLDER, and tries it.
+"""release_archive.py WORK FOLDER PROCESSOR: installs the contents of a release's archive for Linux into FOLDER, and tries it.
 
 That is the shared library, the C interface, headers, licences, and files for CMake and pkg-config. PROCESSOR is x86_64 or
-aarch64. Compilers and oneTBB are those of the wheels (scripts/release_wheel.py), so that the files work with glibc 2.28 and
-GCC 8's libstdc++; WORK may be the same folder. The README's example runs with the files, for another processor by qemu.
+aarch64. Compilers and oneTBB are the wheels' (scripts/release_wheel.py): the files work with glibc 2.28 and GCC 8's libstdc++.
+WORK may be the same folder. The README's example runs with the files, for another processor by qemu.
 """
 
 import pathlib
@@ -40,7 +40,10 @@ def install(work: pathlib.Path, folder: pathlib.Path, processor: str) -> None:
 
 def check_symbols(folder: pathlib.Path) -> None:
     """Check that the libraries show Tamis's functions alone, and need no newer glibc."""
-    for library in folder.glob("lib/*.so.*.*.*"):
+    libraries = sorted(folder.glob("lib/*.so.*.*.*"))
+    if [library.name.partition(".")[0] for library in libraries] != ["libtamis", "libtamis_c"]:
+        sys.exit(f"release_archive.py: {folder}/lib has not the two libraries, but {[library.name for library in libraries]}")
+    for library in libraries:
         shown = run("nm", "-DC", "--defined-only", library).splitlines()
         foreign = [line for line in shown if not OWN.match(line)]
         if foreign or not shown:

@@ -2,9 +2,9 @@
 """release_wheel.py WORK TARGET...: builds the wheels as they are shipped, and checks them. TARGETS below lists the targets.
 
 Makes WORK/shipped: the source distribution, and a wheel for each target that serves CPython 3.10 and all later ones
-(cp310-abi3), on Windows from 3.12 on. oneTBB and all other libraries are linked statically, as wheels of other packages bring a oneTBB of their own. C++'s
-runtime is the system's: the module shares it with nanobind's backend. On Windows both are inside. The same commit gives the same bytes in any folder
-(SOURCE_DATE_EPOCH). Checked by auditwheel, abi3audit, check-wheel-contents and twine.
+(cp310-abi3), on Windows from 3.12 on. oneTBB and all other libraries are linked statically, as wheels of other packages bring a
+oneTBB of their own. C++'s runtime is the system's: the module shares it with nanobind's backend. On Windows both are inside. The
+same commit gives the same bytes in any folder (SOURCE_DATE_EPOCH). Checked by auditwheel, abi3audit, check-wheel-contents and twine.
 """
 
 import itertools
@@ -22,8 +22,8 @@ import build_wheel as ordinary
 import carry_packages as carried
 from build_wheel import ROOT, run
 
-# The licences of what is compiled in besides what the source distribution carries, by package of Debian. Those of GCC's libraries ask
-# for no notice (the runtime exception).
+# The licences of what is compiled in besides what the source distribution carries, by package of Debian. GCC's libraries need
+# no notice (the runtime exception).
 LICENCES = {"libtbb-dev": "Apache-2.0"}
 OF_MINGW = {"mingw-w64-x86-64-dev": "ZPL-2.1"}  # the C library's part that is linked, and threads
 OF_WINDOWS = {"kernel32.dll", "msvcrt.dll", "python3.dll", "shell32.dll"}  # the DLLs that files for Windows may need
@@ -40,7 +40,7 @@ def copy_python(folder: pathlib.Path) -> pathlib.Path:
 
 
 def add_licences(wheel: pathlib.Path, work: pathlib.Path) -> None:
-    """Pack the licences of what is compiled in into a wheel, and name them in its metadata."""
+    """Pack the licences of the compiled-in libraries into a wheel, and name them in its metadata."""
     python, unpacked = work / "tools/bin/python", work / "unpacked"
     shutil.rmtree(unpacked, ignore_errors=True)
     run(python, "-m", "wheel", "unpack", wheel, "--dest", unpacked)

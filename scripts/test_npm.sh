@@ -18,7 +18,7 @@ install --offline "$file"
 cp ../../../bindings/npm/tests/{package_test,scene,detectors,paths,worlds,planners,pairs}.mjs node_modules/tamis/examples/*.mjs .
 for example in hello bodies curve; do node $example.mjs | diff "../../../examples/output/$example.mjs.txt" -; done
 TAMIS_HEADERS=../../../include/tamis/c node --test package_test.mjs
-# A program that TypeScript accepts, but for what it says is wrong.
+# A program that TypeScript accepts, except for the lines that it marks as wrong.
 cp ../../../bindings/npm/tests/types.ts .
 node ../../../tools/viewer/node_modules/typescript/bin/tsc --noEmit --strict --target es2022 --lib es2022,esnext.disposable,dom \
   --module nodenext --moduleResolution nodenext types.ts

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # try_sdist.sh SDIST: as root on a Debian that has nothing yet (scripts/try_in_root.sh), builds Python's source distribution by pip with a
-# compiler and Python alone, and runs the README's example and the command. Without Python's headers pip must say what is missing.
+# compiler and Python alone, and runs the README's example and the command. Without Python's headers pip must name them.
 set -euo pipefail
 sdist=$(realpath "$1")
 cd "$(dirname "$0")/.."

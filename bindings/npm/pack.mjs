@@ -19,7 +19,7 @@ if (spawnSync(process.execPath, [tsc, "-p", here, "--outDir", folder], { stdio: 
 const held = readFileSync(join(root, "tools/program/dist/module.js"), "utf8");
 const { script, wasm } = JSON.parse(held.slice(held.indexOf("{"), held.lastIndexOf("}") + 1));
 const { version } = JSON.parse(readFileSync(join(here, "package.json"), "utf8"));
-// The module asks whether it runs in Node, and would then take Node's own functions. It needs none: the bytes are given.
+// The module tests whether it runs in Node, and would then take Node's own functions. It needs none: the bytes are given.
 writeFileSync(
   join(folder, "module.js"),
   `// The C interface of Tamis as emscripten compiles it, and its bytes: deflated, in base64.

@@ -79,7 +79,7 @@ void check_intersections(const ipc::CollisionMesh& mesh, const Scene& scene, ipc
   }
 }
 
-/// What a list gains over one call a pair: the same answers, bit for bit.
+/// A list's gain over one call a pair: the same answers, bit for bit.
 void compare_batch(const ipc::Candidates& candidates, const Scene& scene) {
   const auto start = tamis::points_of(scene.start), end = tamis::points_of(scene.end);
   const auto pairs = pairs_of(candidates, scene);

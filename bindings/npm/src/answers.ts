@@ -6,7 +6,7 @@ export const KINDS: readonly Kind[] = ["vertex-face", "edge-edge", "vertex-edge"
 /** How many vertices a pair of each kind has. */
 export const VERTICES = [4, 4, 3, 2];
 
-/** When and where a pair touches. Arrays are views: copy what is to outlive the next question. */
+/** When and where a pair touches. Arrays are views: copy a row that must outlive the next question. */
 export interface Touch {
   /** False, only on curves: arithmetic could not decide, so the pair is kept. */
   certified: boolean;

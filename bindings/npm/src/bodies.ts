@@ -14,7 +14,7 @@ import type { Shape } from "./shape.js";
 export type Named = number | Numbers;
 export const numbersOf = (bodies: Named): Numbers => (typeof bodies === "number" ? [bodies] : bodies);
 
-/** Which bodies a world has, how they move, and which may touch. What is refused changes nothing. */
+/** Which bodies a world has, how they move, and which may touch. A refused call changes nothing. */
 export abstract class Bodies extends Questions<Contact & OfBodies, NearPair & OfBodies, Intersection & OfBodies> {
   private readonly vertexCounts = new Map<number, number>();
 

@@ -13,7 +13,7 @@ import { Questions } from "./questions.js";
 
 /** Where each vertex is: three numbers a vertex. */
 export type Positions = Numbers;
-/** A step, by default that of `start` and `end`, or a path. */
+/** A step, by default from `start` to `end`, or a path. */
 export type Motion = [start?: Positions, end?: Positions, options?: QueryOptions] | [path: Path, options?: PathOptions];
 
 const STEP = 32;
@@ -37,7 +37,7 @@ export class Detector extends Questions<Contact, NearPair, Intersection> {
     });
   }
 
-  /** The positions at t=0, in the module's memory: write into them, then ask without positions. Read them anew after each question. */
+  /** The positions at t=0, in the module's memory: write into them, then call without positions. Read them anew after each question. */
   get start(): Float64Array {
     return this.positions("start");
   }

@@ -28,7 +28,7 @@ export abstract class Handle {
     this.rows = new Memory(module);
   }
 
-  /** Frees its memory and that of its answers. Freeing twice does nothing. */
+  /** Frees its memory and its answers. Freeing twice does nothing. */
   free(): void {
     this.needRest();
     if (this.handle !== 0) this.module[`_tamis_${this.kind}_free`](this.handle);

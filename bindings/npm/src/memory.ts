@@ -3,7 +3,7 @@ import type { Module } from "./module.js";
 /** Numbers as you have them: an array, or a typed one. Float64Array and Int32Array go into the module as they are. */
 export type Numbers = ArrayLike<number>;
 
-/** What the library refuses, in its own words. */
+/** The library's refusal, in its own words. */
 export class TamisError extends Error {
   override name = "TamisError";
   constructor(
@@ -24,7 +24,7 @@ export function only(given: object, what: string, ...names: string[]): void {
   for (const name of Object.keys(given)) need(names.includes(name), `${what} have no '${name}': use ${names.join(", ")}`, 4);
 }
 
-/** An integer of 32 bits: the module would cut off what is behind the point. */
+/** An integer of 32 bits: the module would cut off the fraction. */
 export function whole(x: number, name: string): number {
   need((x | 0) === x, `${name} is ${x}: give a whole number`);
   return x;

@@ -10,7 +10,7 @@ import type { PairOptions } from "./options.js";
 
 /** The kind of each pair, or one for all. */
 export type Kinds = Kind | readonly Kind[];
-/** Options of a list of pairs: in place of the separation that all have. */
+/** Options of a list of pairs: instead of the separation that all have. */
 export interface ListOptions {
   minSeparation?: number;
 }

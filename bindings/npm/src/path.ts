@@ -33,7 +33,7 @@ export type PathPairOptions = Omit<PathOptions, "atStart"> & Cancellable;
 
 const SIZE = { rigid: 32, spline: 16, functions: 20 };
 
-/** How all vertices move for t in [0, 1], on curves. Detectors take it in place of start and end. */
+/** How all vertices move for t in [0, 1], on curves. Detectors take it instead of start and end. */
 export class Path extends Handle {
   /** @internal */
   constructor(
@@ -102,7 +102,7 @@ export function splinePath(module: Module, create: string, frames: Numbers, vert
   return new Path(module, vertexCount, create, (given) => given.struct(SIZE.spline, [vertexCount, count, given.doubles(frames)]));
 }
 
-/** What a function does not write is not a number, which the library refuses. */
+/** Coordinates that a function does not write are not numbers, and the library refuses them. */
 export function functionPath(module: Module, input: FunctionPathInput): Path {
   only(input, "a function path", "vertexCount", "pointsAt", "deviations");
   const vertexCount = whole(input.vertexCount, "vertexCount");

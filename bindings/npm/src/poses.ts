@@ -7,7 +7,7 @@ export type Pose = Numbers;
 /** Twelve numbers a link: the pose at t=0, then at t=1. A point of the body goes through the last link first. */
 export type Chain = Numbers;
 
-/** Poses, and the chains of links by which bodies move. Here C keeps no message: what is refused is one of the arguments. */
+/** Poses, and the chains of links that move bodies. Here C keeps no message: the refused thing is one of the arguments. */
 export class Poses {
   /** @internal */
   constructor(

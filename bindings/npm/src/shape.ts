@@ -5,7 +5,7 @@ import { withMesh } from "./mesh.js";
 import type { Mesh, MeshInput } from "./mesh.js";
 import type { Module } from "./module.js";
 
-/** A mesh with its points at rest, in the body's own frame: made once, for any number of bodies, which keep what they need of it. */
+/** A mesh with its points at rest, in the body's own frame: made once, for any number of bodies, which keep their own part of it. */
 export class Shape extends Handle {
   readonly vertexCount: number;
 

@@ -51,7 +51,7 @@ class Tamis extends Poses {
     return this.module.UTF8ToString(this.module._tamis_version());
   }
 
-  /** A mesh that detectors and shapes may share. Refuses what the C interface refuses, with its sentence; so do all of these. */
+  /** A mesh that detectors and shapes may share. Refuses as the C interface does, with its sentence; so do all of these. */
   mesh(input: MeshInput): Mesh {
     return new Mesh(this.module, input);
   }

@@ -1,4 +1,4 @@
-// Curved motion: each kind of path, the questions about it, poses and chains, and what is refused.
+// Curved motion: each kind of path, the questions about it, poses and chains, and refusals.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { brackets, end, near, refuses, start, tamis, two } from "./scene.mjs";

@@ -1,4 +1,4 @@
-// Two triangles, of which the second one's corner 3 falls; and what the tests share.
+// Two triangles, whose corner 3 falls; and other things that the tests share.
 import assert from "node:assert/strict";
 import { load, TamisError } from "tamis";
 

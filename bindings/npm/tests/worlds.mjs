@@ -1,4 +1,4 @@
-// Worlds of bodies: what is answered, what is refused and changes nothing.
+// Worlds of bodies: answers, and refusals, which change nothing.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { load } from "tamis";

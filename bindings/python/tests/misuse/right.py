@@ -147,7 +147,7 @@ def _objects() -> list[Any]:
 
 
 def receiver_of(callee: Callee) -> Any:
-    """Return a new object to call the method on; None if the callee is no method."""
+    """Return a new object to call the method on; None if the callee is a function."""
     return next(thing for thing in _objects() if isinstance(thing, callee.of)) if callee.of else None
 
 
